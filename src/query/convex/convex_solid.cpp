@@ -19,7 +19,7 @@ Hull make_hull(const Solid& solid) {
     const Shells& shells = SolidAccess::shells(solid);
     const Mesh& mesh = solid.mesh();
     if (shells.first.empty()) throw no_interior(mesh.vertices().size());
-    // Features are named in the given mesh. If edges were split, `whole` is that mesh before the split.
+    // Features are named in the mesh as given. If edges were split, `whole` is this mesh, without the split.
     ProperMesh whole;
     if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // owned by the solid
     const Border border{&parts.proper,   &parts.edges,

@@ -16,7 +16,7 @@ bool is_known(const PairWitness& witness) noexcept {
     return witness.a != PairWitness::none && witness.b != PairWitness::none;
 }
 
-// Sets the witness to triangles at the closest features, or at vertices near them.
+// Set the witness to triangles that have the closest features, or vertices near them.
 void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) noexcept {
     witness = {hulls.hull(0).vertex_names[guess.pairs[0][0]].triangle,
                hulls.hull(1).vertex_names[guess.pairs[0][1]].triangle};
@@ -39,7 +39,7 @@ std::optional<ClosestPoints> points_of(PosedHulls& hulls, PairWitness* witness) 
 
 }  // namespace
 
-// Tries the witness's triangles first. Features that were the closest before are proven like any others.
+// Tries the witness's triangles first. Even if their features were the closest before, they are proven like others.
 std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {
     if (witness == nullptr || !is_known(*witness)) return find_closest(hulls, between_centers(hulls), witness);
     const Simplex guess =

@@ -19,17 +19,18 @@ using exact::largest;
 using exact::minus;
 using exact::sum_of_magnitudes;
 
-// True if the direction between the centers, taken as a separating axis, proves that the solids are further apart than
-// the limit. It uses the nearest pair of vertices along the direction, so it is false for hulls that are not scanned.
+// Returns true if the direction between the centers, taken as a separating axis, proves that the solids are further
+// apart than the limit. `start` must be the nearest pair of vertices along this direction. Returns false if a hull is
+// not scanned, since the pair then may not be the nearest.
 //
 // Derivation. Let n be the direction, u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where
-// `sum` bounds what is added up for any coordinate of a point, and |n|_1 the sum of the magnitudes of n. A vertex's
-// height along n, in the mesh's coordinates, is off by at most (1 + u')^6 - 1 < 6.1 u' of sum |n|_1: less than
+// `sum` bounds the magnitudes added up for any coordinate of a point, and |n|_1 the sum of the magnitudes of n. A
+// vertex's height along n, in the mesh's coordinates, is off by at most (1 + u')^6 - 1 < 6.1 u' of sum |n|_1: less than
 // 1.5 D |n|_1. So the vertex found is lower than the highest one by less than 3 D |n|_1, and its rounded point is off
 // by D |n|_1 along n: for both solids together by less than 8 D |n|_1. The product of n and the difference of the two
 // points is off by less than 5 u' of its terms' magnitudes S. 9 D and 8 u' also cover the rounding of the sums and of
 // both products below; the root is off by less than 4 u'. Underflow in a product is below 2^-1022, and all of it below
-// 2^-900; n is so large that underflow has no other effect, and a limit that is flushed to zero is below what 2^-900 /
+// 2^-900. n is so large that underflow has no other effect, and a limit that is flushed to zero is below what 2^-900 /
 // |n| leaves.
 bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noexcept {
     const Point n = minus(hulls.center(1), hulls.center(0));
@@ -70,7 +71,7 @@ void SolidInMemory::prefetch() const noexcept {
         __builtin_prefetch(numbers + at);
 }
 
-// Compares exactly only if the rounded distance equals the limit: only then it is open if the real one exceeds it.
+// Compares exactly only if the rounded distance equals the limit. In all other cases rounding cannot change the order.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory) {
     PosedHulls hulls(a, b, memory);

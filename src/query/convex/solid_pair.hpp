@@ -1,4 +1,4 @@
-// Answers the questions that lists of many pairs of convex solids ask of each pair, with no work beyond the answer.
+// Answers the questions that lists of many pairs of convex solids ask about each pair, without any other work.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace ecods::convex {
 
-// True if R is not singular, so that a posed solid has a volume.
+// True if R is not singular. The posed solid then has a volume.
 bool is_regular(const Pose& pose);
 
-// Addresses of the data of a solid that a query reads, to prefetch them. Only a hint.
+// Holds addresses of a solid's data that a query reads, so that the data can be prefetched. It is only a hint.
 struct SolidInMemory {
     const void* parts = nullptr;
     const double* points = nullptr;
@@ -23,13 +23,14 @@ struct SolidInMemory {
     explicit SolidInMemory(const ConvexSolid& solid) noexcept;
     void prefetch() const noexcept;
 
-    // Prefetch what the constructor reads: first a solid, or null; when it has arrived, its parts.
+    // Prefetch the data that the constructor reads. First call prefetch_solid() (null is allowed); when that data has
+    // arrived, call prefetch_parts().
     static void prefetch_solid(const ConvexSolid* solid) noexcept;
     static void prefetch_parts(const ConvexSolid& solid) noexcept;
 };
 
-// The distance, rounded once, if the real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0, or
-// infinity. Throws SingularPose.
+// Returns the distance, rounded once, if the real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0;
+// it may be infinity. Throws SingularPose.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory);
 
