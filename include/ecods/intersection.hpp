@@ -6,11 +6,11 @@
 //
 // A body is the surface of its shape: the closed triangles of the real points R v + t. Each answer is exact, and
 // depends on the bits of meshes and poses alone: swapping the bodies gives the same answer (and swapped triangle
-// pairs). Everything is defined for all finite poses, singular ones included, and for zero-area triangles, which are
-// the segments or points that they span. A pose must be finite (validate(Pose)); a question does not check it.
+// pairs). Everything is defined for all finite poses, also singular ones, and for zero-area triangles, which are the
+// segments or points that they span. A pose must be finite (validate(Pose)); a question does not check it.
 //
-// Thread safety: shapes are immutable, so questions may run in many threads, each with a QueryMemory of its own where
-// it is given one.
+// Thread safety: shapes are immutable, so several threads may ask questions at the same time; each question that is
+// given a QueryMemory needs one of its own.
 //
 // Example: verify/examples/how_do_i, touch().
 #pragma once
@@ -30,8 +30,8 @@ namespace ecods {
 // leaves one.
 [[nodiscard]] ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
-// Returns apart, touching or crossing: the strongest relation of any two of their triangles. Stops at the first
-// crossing.
+// Returns apart, touching or crossing: the strongest relation of any triangle of a and any triangle of b. Stops at the
+// first crossing.
 [[nodiscard]] ECODS_API Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
 // Returns every pair of triangles that share a point, ascending.
@@ -39,8 +39,8 @@ namespace ecods {
                                                                          const Posed<MeshShape>& b,
                                                                          const Ask& ask = {});
 
-// Returns the same pairs with the points that they share. Cost: that of intersecting_triangles, and some microseconds a
-// pair.
+// Returns the same pairs with the points that the triangles share. Cost: that of intersecting_triangles(), and some
+// microseconds a pair.
 [[nodiscard]] ECODS_API std::vector<TriangleIntersection> intersections(const Posed<MeshShape>& a,
                                                                         const Posed<MeshShape>& b, const Ask& ask = {});
 

@@ -33,8 +33,8 @@ class MovingPairs {
     // in the time span searched, in any other features. So all triangles with this property first meet at this time.
     struct KnownMeeting {
         FeatureKey a, b;
-        double time;
-        bool is_late;
+        double time;   // rounded once
+        bool is_late;  // true if the exact time is above `time`
     };
 
     std::optional<exact::TimeSpan> bound_at_beginning(const exact::MovingPoints& points, double from, double to,
