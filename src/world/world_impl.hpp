@@ -134,7 +134,7 @@ inline ClosestPoints turned(ClosestPoints points) noexcept {
     std::swap(points.point_a, points.point_b);
     return points;
 }
-void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument for null, else as the next
+void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument for null; NotSupported
 void require_mesh_kind(const Shape& shape);  // throws NotSupported if kind() is mesh() but it is no MeshShape
 void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // throws NotSupported
 

@@ -18,7 +18,7 @@ struct CoplanarGroups {
 
     std::vector<std::uint32_t> of_triangle;  // by triangle: its group, or none
     std::vector<std::uint32_t> first;        // by group: its least triangle
-    std::vector<std::int8_t> side;       // by group: 1 or -1 if the mesh is all on that side of or in its plane; else 0
+    std::vector<std::int8_t> side;  // by group: the closed side of its plane that has the mesh, 1 or -1; 0 if unknown
     std::vector<std::uint32_t> of_node;  // by node: group of all triangles below it, or none
     std::vector<std::uint32_t> of_leaf;  // by leaf: group of all its triangles, or none
 
