@@ -10,16 +10,17 @@
 namespace ecods {
 
 // Adapts the lookahead so that the cost of wasted tests equals the cost of searches. Wide fat boxes make candidates
-// that are tested in vain, in proportion to the lookahead w; boxes escape from narrow ones sooner, in inverse
-// proportion. The sum of the costs A = a w and B = b / w is least where A = B, which is at the lookahead w sqrt(B / A).
-// Costs are summed from one search for everything to the next, since such a search is most of the work. They are
+// that are tested in vain, in proportion to the lookahead w. Boxes escape sooner from narrow fat boxes, in inverse
+// proportion to w. The sum of the costs A = a w and B = b / w is least where A = B, which is at the lookahead w sqrt(B
+// / A). Costs are summed from one search for everything to the next, since such a search is most of the work. They are
 // counted in tests.
 class Lookahead {
   public:
     double updates() const noexcept { return updates_; }
 
-    // Notes the tests of an update: `wasted` ones of candidates that had not overlapped, and `searched` ones in trees,
-    // for candidates of boxes that escaped. Tests for boxes that jumped do not count: no margin would have spared them.
+    // Notes the tests of an update: `wasted` tests of candidates that had not overlapped, and `searched` tests in trees
+    // for candidates of boxes that escaped. Tests for boxes that jumped do not count: no margin would have avoided
+    // them.
     void note(std::size_t wasted, std::uint64_t searched) noexcept {
         // A test in trees costs more than a test of a candidate, since linking and a new fat box come with it.
         constexpr double search_cost = 2;
@@ -52,7 +53,8 @@ class Lookahead {
         return std::clamp(for_one_pair / std::sqrt(pairs_per_box), least, most);
     }
 
-    // Starts with a motion that has just begun or changed. Margins of fast boxes last for at most `limit` updates.
+    // Sets the lookahead when a motion has just begun or changed: to `updates`, but to at most `limit`, the number of
+    // updates that margins of fast boxes last.
     void start(double updates, double limit = most) noexcept {
         this->limit(limit);
         updates_ = std::clamp(updates, least, limit_);

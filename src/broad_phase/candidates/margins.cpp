@@ -14,10 +14,10 @@ namespace {
 
 constexpr double back = 0.125;  // margin behind a box, for turning back, as a share of the margin ahead
 
-// The margin, as a share of the extent, of boxes that move together, for the motion of each box beside the common one.
+// In a moving frame, each box gets a margin of this share of its extent for its motion relative to the frame.
 constexpr double common_motion_margin = 0x1p-7;
 
-// The numbers of updates are stored modulo this.
+// MotionHint stores numbers of updates modulo this.
 constexpr std::uint32_t escape_numbers = 1u << 23;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -55,7 +55,7 @@ ECODS_ALWAYS_INLINE void find_ends(const PackedBox& line, BoxEnds& ends) noexcep
     find_ends(lanes, ends);
 }
 
-// Packs the least box that contains both boxes. Rounding of `ends`, in whatever direction, must not leave `other`
+// Sets `line` to the smallest box that contains both boxes: rounding of `ends`, in any mode, must not leave `other`
 // outside.
 ECODS_ALWAYS_INLINE void pack(const BoxEnds& ends, const BoxLanes& other, PackedBox& line) noexcept {
     const KeyLanes low = keys_of(bits_as<KeyLanes>(ends.low)), high = ~keys_of(bits_as<KeyLanes>(ends.high));

@@ -6,8 +6,8 @@
 namespace ecods {
 namespace {
 
-// Appends the pair of two boxes to state.began or state.ended if the pair began or ended. One end is a minimum, the other
-// a maximum, and they have changed order: `left` now comes before `right`.
+// Appends the pair of two boxes to state.began or state.ended if the pair began or ended. One end is a minimum, the
+// other a maximum, and they have changed order: `left` now comes before `right`.
 void judge_swap(const Endpoint& left, const Endpoint& right, SortState& state) {
     const ProxyIndex a = left.proxy();
     const ProxyIndex b = right.proxy();
