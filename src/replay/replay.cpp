@@ -25,7 +25,7 @@ std::string hex_text(std::uint64_t number) {
     return text;
 }
 
-// Makes the calls of a trace in a world of its own.
+// Makes the calls of a trace in a new world, and compares the answers.
 class Replayer {
   public:
     Replayer(std::istream& in, const ReplayOptions& options)
@@ -123,7 +123,8 @@ void Replayer::make(const Row<calls::InOrder>& traced) {
     Row<calls::InOrder>::fields(KeepIds{{}, *this}, traced, call);
 }
 
-// Compares the digests of the answers if the replayed world has the ids of the trace, since ties go to the least ids.
+// Asks the question. Compares the digest of the answer with the trace's only if the world has the ids of the trace,
+// since ties are decided by the least ids.
 template <template <class> class Row>
 void Replayer::ask(const Row<calls::InOrder>& traced) {
     const std::uint64_t answer = AnswerDigest::of(in_world(traced).ask(world_));
