@@ -40,6 +40,7 @@ namespace ecods::calls {
 
 // Names a body by order: the number of bodies created before it.
 using Label = std::size_t;
+
 // ---- names
 
 // Names while writing: ids, and numbers of shapes.

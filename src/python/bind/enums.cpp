@@ -11,7 +11,7 @@
 namespace ecods::python {
 namespace {
 
-// Makes the type of an enum with these names, for consecutive values from `least` on.
+// Makes the Python type of an enum whose members have these names and consecutive values from `least` on.
 void make(py::module_& m, Enumeration& made, const char* name, const char* doc, const std::vector<std::string>& names,
           int least) {
     py::dict values;
@@ -31,7 +31,7 @@ void make(py::module_& m, const char* name, const char* doc, std::initializer_li
     make(m, enumeration<Enum>(), name, doc, names, 0);
 }
 
-// Makes the type of an enum with the names that the library writes.
+// Makes the Python type of an enum, with the names that the library prints for its values.
 template <class Enum>
 void make(py::module_& m, const char* name, const char* doc, Enum least, Enum greatest) {
     std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// Binds the questions of World about two of its bodies, a body and a posed mesh, or two of these.
+// Binds the questions of World about two subjects, each of which is a body of the world or a posed mesh.
 #include "python/bind/world.hpp"
 
 namespace ecods::python {
@@ -7,10 +7,9 @@ void add_pair_questions(WorldClass& type) {
     const py::arg a("a");
     const py::arg b("b");
     const py::arg max_distance("max_distance");
-    type.def(
-        "intersects", asked_of_pair<>(ECODS_CALL(intersects)), a, b,
-        "True if two bodies share a point, as of now. Each is an id, a Mesh or a Posed, as in all of these. Raises "
-        "StaleBody, SameBody, as all of these do.");
+    type.def("intersects", asked_of_pair<>(ECODS_CALL(intersects)), a, b,
+             "True if two bodies share a point, as of now. In all questions about two bodies, each body is an id, a "
+             "Mesh or a Posed. All of them raise StaleBody and SameBody.");
     type.def("relation", asked_of_pair<>(ECODS_CALL(relation)), a, b,
              "Relation of two bodies as surfaces: apart, touching or crossing.");
     type.def(

@@ -80,7 +80,7 @@ def _contacts(names, a, b):
 
 
 def _answer(first, *rest):
-    """Returns the first value alone, or a tuple with the values in `rest`, pairs (is_wanted, value), that are wanted."""
+    """Returns `first`, or a tuple of `first` and the wanted values in `rest`, which has pairs (is_wanted, value)."""
     wanted = [what for is_wanted, what in rest if is_wanted]
     return (first, *wanted) if wanted else first
 
@@ -90,7 +90,7 @@ class CollisionManager:
 
     The methods have the names and arguments of trimesh.collision.CollisionManager. Answers are exact, and about
     surfaces: touching counts, and a distance is the true one, rounded once; 0 if surfaces share a point, never
-    negative, infinity if there is nothing to measure to. A mesh inside another one does not collide with it, even if
+    negative, infinity if there is nothing to measure to. A mesh inside another mesh does not collide with that, even if
     trimesh would take a convex mesh for a solid; solid_relation() and World.set_solids() say what is inside. Contacts
     are all pairs of triangles that meet; their depth is NaN but for two ConvexSolids. Pass an ecods.Mesh in place of
     another object if you ask about it again: its tree is then made once. Names are any hashable values. Copies and
@@ -123,7 +123,7 @@ class CollisionManager:
         return [(name, self._world.posed(body)) for name, body in self._bodies.items()]
 
     def add_object(self, name, mesh, transform=None):
-        """Adds a mesh at a transform (4, 4); replaces one of the same name."""
+        """Adds a mesh at a transform (4, 4); replaces an object of the same name."""
         body = self._world.create_body(as_mesh(mesh), transform)
         if name in self._bodies:
             self.remove_object(name)
@@ -141,7 +141,7 @@ class CollisionManager:
         self._world.set_pose(self._body(name), transform)
 
     def in_collision_single(self, mesh, transform=None, return_names=False, return_data=False):
-        """Returns True if a mesh collides with any object; on demand also their names, and a list of ContactData."""
+        """Returns True if a mesh collides with any object; on demand also the objects' names and a list of ContactData."""
         external = as_mesh(mesh).at(transform)
         bodies = self._world.intersecting_bodies(external)
         names = {self._names[body] for body in bodies}
@@ -164,7 +164,7 @@ class CollisionManager:
         return _answer(len(pairs) > 0, (return_names, names), (return_data, data))
 
     def in_collision_other(self, other_manager, return_names=False, return_data=False):
-        """Returns True if an object collides with one of another manager; pairs of names begin with this manager's."""
+        """Returns True if an object collides with an object of another manager; pairs of names begin with this manager's."""
         names, data = set(), []
         for other_name, other in other_manager._posed():
             for body in self._world.intersecting_bodies(other):
@@ -174,7 +174,7 @@ class CollisionManager:
         return _answer(len(names) > 0, (return_names, names), (return_data, data))
 
     def min_distance_single(self, mesh, transform=None, return_name=False, return_data=False):
-        """Returns the least distance of a mesh from any object; on demand also its name, and the DistanceData."""
+        """Returns the least distance of a mesh from any object; on demand also the object's name, and the DistanceData."""
         external = as_mesh(mesh).at(transform)
         nearest = self._world.nearest(external)
         if nearest is None:
