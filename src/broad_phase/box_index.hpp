@@ -26,7 +26,7 @@ class BoxIndex {
     // memory runs out, the next call builds the index from scratch.
     std::uint64_t refresh(const ProxyTable& table);
 
-    // Appends the proxies whose fat boxes meet `bounds` to `found`, and returns the number of box tests, as
+    // Appends to `found` the proxies whose fat boxes meet `bounds`, and returns the number of box tests, as
     // BoxTree::find does. Call refresh() first.
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<ProxyIndex>& found) const {

@@ -1,4 +1,4 @@
-// Trees over boxes of all sizes, for boxes that come, go and change.
+// Defines a forest: trees over boxes of all sizes, which may be added, removed and changed.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ class BoxForest {
     // Prefetches the memory that set() of this slot, and find() of its box, will read.
     void prefetch(SlotIndex slot) const noexcept;
 
-    // Returns the number of boxes in unsorted trees. Searches slow down as it grows: then call build().
+    // Returns the number of boxes in unsorted trees. As this number grows, searches slow down: then call build().
     std::size_t unsorted_count() const noexcept;
 
     // Calls BoxTree::find for all trees. Returns the number of box tests.

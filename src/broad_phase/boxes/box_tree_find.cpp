@@ -9,7 +9,8 @@
 namespace ecods {
 namespace {
 
-// Appends the slots of lanes of blocks on level 0 to a list.
+// Appends to `found` the slots of the boxes in the given lanes of a block on level 0, as walk_one() requires of its
+// result.
 class SlotResult {
   public:
     ECODS_ALWAYS_INLINE SlotResult(const std::vector<SlotIndex>& slots, std::vector<SlotIndex>& found)

@@ -13,14 +13,15 @@ namespace {
 using Candidate = CandidateList::SlotPair;
 constexpr SlotIndex overlap_bit = CandidateList::overlap_bit;
 
-// The prefetch distance, in candidates. The last candidates are a stretch of their own, with distance 0.
+// The prefetch distance, in candidates. The last candidates are a Stretch of their own, in which the distance is 0.
 constexpr std::size_t candidates_ahead = 24;
 struct Stretch {
     std::size_t end;
     std::size_t ahead;
 };
 
-// Holds the input and output of a test of all candidates.
+// Holds the input and output of a test of all candidates. `there` receives the doubtful pairs that the list already
+// has.
 struct Testing {
     const SlotTable& slots;
     PairEvents& events;
@@ -159,8 +160,8 @@ ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidat
 void CandidateList::test(SlotTable& slots, bool are_removed_reported, PairEvents& events) {
     std::sort(doubtful_.begin(), doubtful_.end());
     Testing testing{slots, events, are_removed_reported, doubtful_, there_};
-    // Chooses how stale candidates are found. If few slots changed, their coarse boxes are marked, and each of their
-    // candidates is looked at closer. Otherwise a separate pass over all candidates costs less.
+    // Chooses how to find stale candidates. If few slots changed, marks the coarse boxes of these slots, so that each
+    // of their candidates is looked at closer. Otherwise a separate pass over all candidates costs less.
     constexpr std::size_t pairs_of_one = 32;
     const std::size_t changed = slots.changed_slots().size();
     const bool by_boxes = !slots.keeps_coarse_boxes() || tests_by_boxes_ > 0;

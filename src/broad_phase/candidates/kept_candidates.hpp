@@ -108,7 +108,7 @@ class KeptCandidates final : public PairFinder {
     Fattened fattened_;
     LookUps look_ups_;
     std::vector<SlotIndex> found_;
-    ProxyPairs pairs_;  // found by a search for everything
+    ProxyPairs pairs_;  // pairs that a search for everything found
     ListingMemory listing_;
 };
 

@@ -86,7 +86,7 @@ void for_some_of(std::size_t count, const Visit& visit) {
 
 }  // namespace
 
-// Makes a forecast from a sample of the boxes that moved.
+// Makes a forecast from a sample of the boxes that moved. Also returns the common step, and the lifetime of fast boxes.
 KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const ProxyChanges& changes) const {
     KeepingRule::Forecast forecast{.boxes = table.size(),
                                    .moved = changes.moved.size(),

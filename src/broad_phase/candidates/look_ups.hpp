@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// Holds the scratch of look-ups, and the partners that the last one found.
+// Looks up slots, and holds the partners that the last look-up found and its scratch.
 class LookUps {
   public:
     static constexpr std::size_t part = 128;  // slots looked up at once; their scratch fits in the nearest cache

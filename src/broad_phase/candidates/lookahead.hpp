@@ -27,8 +27,8 @@ class Lookahead {
         wasted_ += static_cast<double>(wasted);
         searched_ += search_cost * static_cast<double>(searched);
     }
-    // Notes the tests of a search for everything. They weigh less than tests in trees, since many are made at a time,
-    // but the search also sorts boxes and gives them margins.
+    // Notes the tests of a search for everything. These tests weigh less than tests in trees, since many are made at a
+    // time, but the search also sorts boxes and gives them margins.
     void note_everything(std::uint64_t tests) noexcept { searched_ += static_cast<double>(tests); }
     void note_update() noexcept { ++updates_since_adapted_; }
 
@@ -44,9 +44,9 @@ class Lookahead {
         wasted_ = searched_ = 0;
     }
 
-    // Guesses the lookahead before a motion is known. The wasted tests grow with the number of pairs, the cost of a
-    // search does not. So the best lookahead is inversely proportional to the square root of the number of pairs per
-    // box. Measured for boxes of similar sizes.
+    // Guesses the lookahead before a motion is known, for boxes of similar sizes. The number of wasted tests grows with
+    // the number of pairs; the cost of a search does not. So the best lookahead is inversely proportional to the square
+    // root of the number of pairs per box. The factor was measured.
     static double guess(std::size_t pairs, std::size_t boxes) noexcept {
         constexpr double for_one_pair = 50;
         const double pairs_per_box = static_cast<double>(pairs + 1) / static_cast<double>(boxes + 1);

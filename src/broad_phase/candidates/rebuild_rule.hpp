@@ -6,8 +6,8 @@
 
 namespace ecods {
 
-// Looking up a box costs as much as a search for everything does for eight boxes. Such a search also gives new margins
-// to all boxes that need them soon: if boxes have escaped one by one, the next ones escape together again.
+// Looking up one box costs as much as a search for everything costs for eight boxes. A search for everything also gives
+// new margins to all boxes that need them soon: after it, boxes that had escaped one by one escape together again.
 //
 // Boxes drift away from their neighbours in memory and in trees, and added boxes have arbitrary neighbours: after a
 // while, slots are put in order.
@@ -23,7 +23,7 @@ class RebuildRule {
         return 2 * awake > boxes && 16 * looked_up_ > boxes << patience_;
     }
 
-    // True if too many slots are out of order to search the trees well.
+    // True if so many slots are out of order that searching the trees has become slow.
     bool is_degraded(std::size_t unsorted, std::size_t slots, std::size_t boxes) const noexcept {
         return searched_ > 4 * boxes || 4 * unsorted > boxes + 64 || slots > 2 * boxes + 64;
     }

@@ -66,8 +66,8 @@ class GridSweep {
         std::uint32_t first;
         std::uint32_t bits;
     };
-    // Limits the number of tests that find nothing. Most tests do if boxes are in places so far apart that all boxes of
-    // one place have equal ranks.
+    // Limits the number of tests that find nothing: goes_on() is false if there were many tests and few pairs. Most
+    // tests find nothing if boxes are in places so far apart that all boxes of one place have equal ranks.
     struct Work {
         std::uint64_t tests = 0;
         std::uint64_t tests_max;

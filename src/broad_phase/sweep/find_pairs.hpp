@@ -10,8 +10,9 @@
 
 namespace ecods {
 
-// Appends the overlapping pairs with at least one proxy in `chosen`, in no order, each once. All chosen proxies must be
-// present. Returns the number of box tests. Cost: sorting the chosen into trees, and a query for each box present.
+// Appends to `found` the overlapping pairs with at least one proxy in `chosen`, each once, in no order. All chosen
+// proxies must be present. Returns the number of box tests. Cost: building trees of the chosen boxes, and a query for
+// each box present.
 std::uint64_t find_pairs_of(std::span<const ProxyIndex> chosen, const ProxyTable& table, ProxyPairs& found);
 
 // Finds all pairs that overlap now, and sets update.events to their differences from the keeper's pairs.
