@@ -109,7 +109,7 @@ class TraceReader {
     // Returns the next item, or nothing at the end. Throws InvalidTrace, also for a mesh that Mesh::create rejects.
     std::optional<TraceItem> next();
 
-    // Returns the number of the last item's line, from 1; for an item of several lines, of the last of them.
+    // Returns the number, from 1, of the last line of the last item.
     std::size_t line() const noexcept { return lines_.number(); }
     [[noreturn]] void fail(const std::string& reason) const { lines_.fail(reason); }
 

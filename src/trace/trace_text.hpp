@@ -25,7 +25,7 @@ constexpr TracedBody traced(BodyId body) noexcept {
     return {body.slot, body.generation};
 }
 
-// Parse a word. They return nothing unless the whole word is a number or a name of the requested kind.
+// These parsers return nothing unless the whole word is a number or a name of their kind.
 std::optional<double> parse_hex_double(std::string_view word);  // only finite numbers
 std::optional<std::uint64_t> parse_hex(std::string_view word);
 std::optional<std::uint64_t> parse_decimal(std::string_view word, std::uint64_t max);

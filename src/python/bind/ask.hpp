@@ -14,8 +14,8 @@ auto ask(Question question) {
     return question();
 }
 
-// Returns question(Ask()), or question(Ask(copy)) with a copy of the witness if there is one; it runs without the
-// interpreter's lock. The copy is stored to *witness afterwards, since other threads may use the witness meanwhile.
+// Returns question(ask), which runs without the interpreter's lock. If there is a witness, `ask` has a copy of it,
+// which is stored to *witness afterwards: other threads may use the witness meanwhile.
 template <class Question>
 auto ask(PairWitness* witness, Question question) {
     if (witness == nullptr) return ask([&] { return question(Ask()); });

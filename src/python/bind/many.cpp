@@ -45,7 +45,8 @@ std::size_t common_length(const PoseList& a, const PoseList& b) {
     return a.size();
 }
 
-// Returns an array with the answer of question(a, b, ask) for each pose, or each pair of poses.
+// Returns an array with the answers of question(a, b, ask), one for each place in the lists of poses; a single pose
+// stands for all places.
 template <class Answer, class Question>
 py::array_t<Answer> at_poses(const MeshShape& a, const py::object& poses_a, const MeshShape& b,
                              const py::object& poses_b, std::size_t threads, const Question& question) {

@@ -41,8 +41,8 @@ PyMethodDef& definition_of(PyObject* function) {
     return *reinterpret_cast<PyCFunctionObject*>(function)->m_ml;
 }
 
-// Makes a function that pybind11 bound go through call(). Leaves other functions as they are, since classes also have
-// functions of Python's own.
+// Replaces pybind11's function behind one bound function by call(). Leaves other functions as they are, since classes
+// also have functions of Python's own.
 void shorten_one(py::handle value) {
     PyObject* function = value.ptr();
     const py::object of_static = py::getattr(value, "__func__", py::none());
