@@ -155,6 +155,7 @@ const std::vector<Room>& rooms() {
           "verify/scenes", "verify/environment"}},
         {"verify/programs/clash", {"include", "verify/process", "verify/scenes", "verify/programs"}},
         {"verify/examples", {"include", "verify/oracle", "verify/scenes"}},
+        {"verify/foreign", {"include", "verify/scenes"}},
         {"verify/tidy", {}},
         {"verify/consumer", {"include"}},
         {"verify/unit/base", {"include", "src/base", "src/simd", "verify/environment"}},
