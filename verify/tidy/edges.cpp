@@ -192,6 +192,10 @@ const std::vector<Room>& rooms() {
          {"include", "verify/process", "verify/scenes", "verify/programs", "verify/programs/clash",
           "verify/unit/programs"}},
         {"verify/property", {"include", "verify/scenes", "verify/environment", "verify/unit/broad_phase"}},
+        {"verify/property/guesses",
+         {"include", "src/base", "src/geometry", "src/exact/point", "src/exact/measure/distance",
+          "src/exact/measure/contact", "src/bounds", "src/bvh/tree", "src/bvh/axes", "src/bvh/masks", "src/bvh/walks",
+          "src/query/hit", "src/query/cast", "verify/process", "verify/oracle", "verify/scenes", "verify/environment"}},
 
         // What tries to prove it wrong.
         {"fuzz/base", {"include", "src/trace", "verify/process"}},
