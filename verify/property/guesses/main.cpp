@@ -52,7 +52,7 @@ bool run(const Check& check, const Options& options) {
         progress.step();
         if (!c.is_wrong()) continue;
         progress.wipe();
-        std::printf("%s: %s: --seed %u --case %u\n", check.name.data(), c.wrong.c_str(), options.seed, k);
+        std::printf("%s: mismatch: %s: --seed %u --case %u\n", check.name.data(), c.wrong.c_str(), options.seed, k);
         return false;
     }
     progress.wipe();
