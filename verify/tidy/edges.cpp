@@ -195,7 +195,8 @@ const std::vector<Room>& rooms() {
         {"verify/property/guesses",
          {"include", "src/base", "src/geometry", "src/exact/point", "src/exact/measure/distance",
           "src/exact/measure/contact", "src/bounds", "src/bvh/tree", "src/bvh/axes", "src/bvh/masks", "src/bvh/walks",
-          "src/query/hit", "src/query/cast", "verify/process", "verify/oracle", "verify/scenes", "verify/environment"}},
+          "src/query/hit", "src/query/cast", "src/query/convex", "verify/process", "verify/oracle", "verify/scenes",
+          "verify/environment"}},
 
         // What tries to prove it wrong.
         {"fuzz/base", {"include", "src/trace", "verify/process"}},
