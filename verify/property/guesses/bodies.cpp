@@ -1,5 +1,6 @@
 #include "property/guesses/bodies.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -75,13 +76,29 @@ Vec3 point_of(Random& random, const Corners& corners) {
     return point_on(random, corners[i], corners[i + 1], corners[i + 2]);
 }
 
-// Brings b to a: as they are, at a gap, a copy that is off by little, faces in parallel planes, or far away.
+// Moves b so that the two only just meet, or only just do not, at a face of either or at an edge of each.
+void lay_on(Random& random, const Corners& a, Corners& b) {
+    const std::array<Vec3, 3> ways{(a[1] - a[0]).cross(a[2] - a[0]), (b[1] - b[0]).cross(b[2] - b[0]),
+                                   (a[1] - a[0]).cross(b[1] - b[0])};
+    const std::uint32_t which = random.below(3);
+    Vec3 n = (random.below(2) == 0 ? 1 : -1) * ways[which].normalized();
+    if (!n.allFinite()) n = random.direction();
+    const auto along = [&](const Vec3& p, const Vec3& q) { return n.dot(p) < n.dot(q); };
+    Vec3 p = *std::ranges::max_element(a, along), q = *std::ranges::min_element(b, along);
+    if (which == 0) p = point_on(random, a[0], a[1], a[2]);
+    if (which == 1) q = point_on(random, b[0], b[1], b[2]);
+    const double gap = random.below(6) == 0 ? 0 : some_power(random, -56, -8);
+    for (Vec3& v : b) v += p - q + (random.below(2) == 0 ? gap : -gap) * n;
+}
+
+// Brings b to a: as they are, at a gap, laid on it, a copy that is off by little, faces in parallel planes, or far
+// away.
 void relate(Random& random, const Corners& a, Corners& b) {
     const Vec3 p = point_of(random, a), q = point_of(random, b);
     const Vec3 normal = (a[1] - a[0]).cross(a[2] - a[0]).normalized();
     const Vec3 way = random.below(2) == 0 && normal.allFinite() ? normal : random.direction();
     const double gap = random.below(6) == 0 ? 0 : some_power(random, -60, 0);
-    switch (random.below(7)) {
+    switch (random.below(9)) {
         case 0:
             return;
         case 1:
@@ -90,11 +107,17 @@ void relate(Random& random, const Corners& a, Corners& b) {
         case 2:
             for (Vec3& v : b) v[2] = a[0][2] + gap;
             return;
-        case 3:
-            for (Vec3& v : b) v += some_power(random, 5, 45) * way;
+        case 3: {
+            const double distance = some_power(random, 2, 45);
+            for (Vec3& v : b) v += distance * way;
+            return;
+        }
+        case 4:
+        case 5:
+            for (Vec3& v : b) v += p - q + gap * way;
             return;
         default:
-            for (Vec3& v : b) v += p - q + gap * way;
+            lay_on(random, a, b);
     }
 }
 
@@ -108,7 +131,11 @@ Placed some_pose(Random& random) {
     const Mat3 Q = random.below(4) == 0 ? Mat3(Mat3::Identity()) : Mat3(random.rotation().toRotationMatrix());
     Placed placed{{Q, Vec3::Zero()}, Q.transpose()};
     const auto i = static_cast<Eigen::Index>(random.below(3)), j = (i + 1 + random.below(2)) % 3;
-    switch (random.below(8)) {
+    switch (random.below(9)) {
+        case 5:  // bent a little
+            placed.pose.R += some_power(random, -40, -6) * random.rotation().matrix();
+            placed.inverse = placed.pose.R.inverse();
+            break;
         case 0: {  // a size of its own
             const double size = some_power(random, -40, 40);
             placed.pose.R *= size;

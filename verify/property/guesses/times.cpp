@@ -10,6 +10,7 @@
 #include "base/outward.hpp"
 #include "bvh/axes/motion_axes.hpp"
 #include "bvh/axes/swept_axes.hpp"
+#include "exact/measure/contact/bound_meeting.hpp"
 #include "exact/measure/contact/possible_features.hpp"
 #include "oracle/first_contact.hpp"
 #include "property/guesses/features.hpp"
@@ -192,6 +193,39 @@ TimeSpan around(Random& random, oracle::Root& time) {
     return {std::max(0.0, shares[random.below(4)]), std::min(1.0, ends[random.below(4)])};
 }
 
+// Asks about the corners as they are rounded, as exact ones: no error of a pose hides those of the bound.
+void ask_rounded(Case& c, MovingPoints points) {
+    points.start_error = points.end_error = 0x1p-1000;
+    const auto mesh = Mesh::create({Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 1, 2}});
+    const auto soup = [&](const Points<6>& at, std::size_t side, Pose& pose) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point& p = at[3 * side + i];
+            pose.R.col(static_cast<Eigen::Index>(i)) = Vec3(p[0], p[1], p[2]);
+        }
+        return soup_of(*mesh, pose);
+    };
+    Pose poses[4];
+    const auto moving = [&](std::size_t side) {
+        soup(points.end, side, poses[2 + side]);
+        return oracle::MovingSoup{soup(points.start, side, poses[side]), poses[2 + side]};
+    };
+    const auto a = moving(0), b = moving(1);
+    for (const Pose& pose : poses) {
+        if (!pose.R.allFinite()) return;
+    }
+    Contact contact = oracle::first_contact(a, b);
+    if (!contact) return;
+    for_each_mode([&](const environment::FloatMode& mode) {
+        for (const Effort effort : {Effort::coarse, Effort::fine}) {
+            const TimeSpan time = around(c.random, contact->time);
+            const auto bound = in_mode(mode, [&] { return bound_first_meeting(points, time.from, time.to, effort); });
+            c.require(bound && contact->time.compare(mpq_class(bound->from)) >= 0,
+                      "a bound above the time of exact corners", mode.name);
+            c.tally.telling += bound && bound->from > time.from;
+        }
+    });
+}
+
 }  // namespace
 
 void ask_moving(Case& c) {
@@ -201,6 +235,7 @@ void ask_moving(Case& c) {
     const MeshShape a(bodies.a), b(bodies.b);
     const Moving<MeshShape> moving_a{a, bodies.pose_a, moves.to_a}, moving_b{b, bodies.pose_b, moves.to_b};
     RoundedCorners corners(bodies, moves);
+    ask_rounded(c, corners.points());
     for_each_mode([&](const environment::FloatMode& mode) {
         for (const Effort effort : {Effort::coarse, Effort::fine}) {
             TimeSpan time{0, c.random.below(2) == 0 ? 1 : c.random.uniform(0, 1)};
