@@ -266,7 +266,7 @@ Pose some_end(Random& random, const Pose& from, const Vec3& by) {
     if (random.below(8) == 0)
         to.R += some_power(random, -60, 0) * from.R.cwiseAbs().maxCoeff() * random.rotation().matrix();
     if (random.below(10) == 0) to.R *= -1;
-    if (random.below(20) == 0) to.R *= some_power(random, -300, 300);
+    if (random.below(10) == 0) to.R *= some_power(random, -800, 800);
     if (!to.R.allFinite()) to.R = from.R;
     if (!to.t.allFinite()) to.t = from.t;
     return to;

@@ -81,7 +81,7 @@ struct Distances {
 }  // namespace
 
 void ask_near(Case& c) {
-    const Trees trees(c.random, c.random.below(4) == 0 ? 14 : 6);
+    const Trees trees(c.random, c.random.below(8) == 0 ? 30 : 6);
     const Distances truth(trees);
     const std::size_t some = c.random.below(static_cast<std::uint32_t>(trees.pair_count()));
     for_each_set_and_mode([&](const environment::FloatMode& mode, const std::string& where) {

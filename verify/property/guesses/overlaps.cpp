@@ -21,7 +21,7 @@ std::array<Vec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
 }  // namespace
 
 void ask_overlap(Case& c) {
-    const Trees trees(c.random, c.random.below(6) == 0 ? 16 : 5);
+    const Trees trees(c.random, c.random.below(8) == 0 ? 30 : 5);
     const Bodies& bodies = trees.bodies;
     std::vector<Relation> truth;
     for (std::uint32_t i = 0; i < trees.count_a; ++i) {
