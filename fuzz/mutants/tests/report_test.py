@@ -111,7 +111,7 @@ class Report(unittest.TestCase):
             report.write(self.lists, dict(list(self.rows.items())[:known]), *files, self.root)
             found = report.read_pending(files[1].read_text())
             self.assertEqual((found[0], len(found[1])), (limit, pending))
-            self.assertIn(f"{known} of 3 mutants have a", files[0].read_text())
+            self.assertIn(f"{known} of 3 mutants\nhave a row", files[0].read_text())
         self.assertIn("at most 0 may be", "".join(report.wrong_things(self.lists, *(f.read_text() for f in files), self.root)))
 
     def test_joined_rows_are_the_current_ones(self):
