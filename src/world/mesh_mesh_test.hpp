@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "ecods/shape.hpp"
+#include "ecods/two_body_test.hpp"
 
 namespace ecods {
 

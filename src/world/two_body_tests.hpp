@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "ecods/shape.hpp"
+#include "ecods/two_body_test.hpp"
 
 namespace ecods {
 

@@ -8,6 +8,7 @@
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "exact/simplex/triangle_contact.hpp"
+#include "query/intersection/asking.hpp"
 #include "query/intersection/overlap_bound.hpp"
 #include "query/solid/fan.hpp"
 #include "query/solid/pair_contacts.hpp"

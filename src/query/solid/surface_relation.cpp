@@ -9,6 +9,7 @@
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "exact/simplex/flat_contact.hpp"
+#include "query/intersection/asking.hpp"
 #include "query/intersection/overlap_bound.hpp"
 #include "query/solid/pair_contacts.hpp"
 #include "query/solid/ray_query.hpp"
