@@ -4,12 +4,14 @@ import os
 import pathlib
 import platform
 import sys
+import time
 
 from .lists import Broken
 
 
 def add_options(parser):
     parser.add_argument("--jobs", type=int, help="processes at a time; all cores, if not given")
+    parser.add_argument("--minutes", type=float, default=float("inf"), help="begin no mutant after that")
     parser.add_argument("--shard", metavar="K/N", help="the K-th of N parts; rows go to a file of their own")
 
 
@@ -69,12 +71,18 @@ def work_folder(build, share, number):
     return pathlib.Path(build) / f"mutants/work-{platform.node()}{share.suffix()}-{number}"
 
 
-def in_parallel(items, jobs, function):
-    """Calls function(item, number) for each item; of the numbers, below `jobs`, no two calls have one at the same time. The
-    first error ends it, once the calls that run have returned."""
+def stop_at(options):
+    return time.time() + 60 * options.minutes
+
+
+def in_parallel(items, jobs, function, until=float("inf")):
+    """Calls function(item, number) for each item, begun at the time `until` at the latest; of the numbers, below `jobs`, no two
+    calls have one at the same time. The first error ends it, once the calls that run have returned."""
     free = list(range(jobs))
 
     def call(item):
+        if time.time() > until:
+            return
         number = free.pop()
         try:
             function(item, number)

@@ -92,6 +92,13 @@ class Parallel(unittest.TestCase):
             share.in_parallel(range(1000), 1, call)
         self.assertLess(len(done), 1000)
 
+    def test_nothing_begins_after_the_end(self):
+        done = []
+        share.in_parallel(range(3), 1, lambda item, _: done.append(item), time.time() - 1)
+        self.assertEqual(done, [])
+        share.in_parallel(range(3), 1, lambda item, _: done.append(item), share.stop_at(options(minutes=1)))
+        self.assertEqual(done, [0, 1, 2])
+
     def test_progress_is_shown_on_a_terminal_alone(self):
         for is_terminal in (False, True):
             stream, out = io.StringIO(), io.StringIO()
