@@ -18,6 +18,9 @@ proportion to its lines of code, in turn by each rule ({rules}).
 `rooms.checks` has for its folder, until one fails. *Not compiled* counts as caught. Mutants that change no answer, such as one
 of a heuristic, survive: survivors are questions to whoever reads them, not faults of tests. A row counts as long as the
 function around its mutant stays as it was.
+
+A first pass (`--stages`) leaves a mutant that it does not catch to a run that asks all checks, and such a mutant does not
+count as run. So the share of survivors is known only once all are run.
 """
 
 
