@@ -77,6 +77,7 @@ bool is_within(const std::array<Gap, 3>& gaps, double radius) noexcept {
 
 // c - r has a rounding error of u' (|c| + r), and so has the subtraction of the margin: 4 u' (|c| + r) covers both, and
 // 2^-1000 covers underflow.
+// Claim: verify/proofs/small_bounds.py
 BallBounds::BallBounds(const Ball& ball) noexcept : ball_(ball), square_(ball.radius * ball.radius) {
     ECODS_ASSERT(key_of(ball.radius) >= 0);
     for (int k = 0; k < 3; ++k) {

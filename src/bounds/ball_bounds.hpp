@@ -14,6 +14,7 @@ namespace ecods {
 // them, and 16 u' m covers the evaluation of the comparison, too. Underflow, subnormals taken for zero included, loses
 // less than 2^-1020 in a gap and in a square; this is below 2^-500 m if m is at least 2^-900. Overflow: m must be below
 // 2^900, since a mode that rounds down turns infinities into large numbers.
+// Claim: verify/proofs/small_bounds.py
 class BallBounds {
   public:
     explicit BallBounds(const Ball& ball) noexcept;

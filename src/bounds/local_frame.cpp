@@ -68,6 +68,7 @@ Mat3 principal_axes(const Mesh& mesh, std::size_t stride, const Vec3& center, do
         if (std::abs(axes.data()[i]) < 0x1p-100) axes.data()[i] = 0;
     }
     // The product as computed is off by at most 4 u', u' = 2^-52.
+    // Claim: verify/proofs/small_bounds.py
     const double tau = (axes.transpose() * axes - Mat3::Identity()).cwiseAbs().maxCoeff();
     return tau <= 0.5 * frame_tau_max ? axes : Mat3::Identity();
 }

@@ -30,6 +30,7 @@ struct LocalFrame {
 // u', relative to at most 1.01 sqrt(3): below 8 u'. inverse = F^T / scale is not the inverse of map:
 // F^-1 - F^T = (I - F^T F) F^-1 has entries below 3.1 tau, which adds 3 * 3.1 tau * 1.01 sqrt(3) < 16.3 tau. Underflow
 // in the difference is harmless: the scale is at least 2^-900. The total is below 2^-43.
+// Claim: verify/proofs/small_bounds.py
 inline constexpr double frame_tau_max = 0x1p-48;  // |F^T F - I|, entry by entry
 inline constexpr double coordinate_error = 0x1p-43;
 

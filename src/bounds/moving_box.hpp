@@ -33,6 +33,7 @@ namespace ecods {
 // NaN, from 0 times infinity, proves nothing.
 //
 // All steps are monotone: the time of a box inside another box is no less than the other's.
+// Claim: verify/proofs/lines_and_times.py
 class MovingBox {
   public:
     explicit MovingBox(const Segment& segment) noexcept;

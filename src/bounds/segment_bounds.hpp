@@ -25,6 +25,7 @@ enum class BoxVerdict : std::uint8_t { apart, meeting, unknown };
 // the difference, at most 2.01 D_y D_z: together below 8.1 u' D_y D_z; 16 u' |d_y| |d_z| has margin for its own
 // evaluation. Underflow, subnormals taken for zero included, loses 2^-1020 in a difference, which is multiplied by the
 // largest extent E, and in a product: below 2^-1000 E + 2^-1010. Overflow: if E is 2^500 or more, nothing is proved.
+// Claim: verify/proofs/small_bounds.py
 class SegmentBounds {
   public:
     explicit SegmentBounds(const Segment& segment) noexcept;

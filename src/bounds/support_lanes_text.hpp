@@ -80,6 +80,7 @@ ECODS_ALWAYS_INLINE Reaches<V> table_corner(const float* support, const Places& 
 // each a quarter of m wide), its remainder within a cell is exact, and the shares are off by 2 u'. So d and m sum l_k
 // p_k differ by less than 8 u' m on each axis, worth 8 u' m 3 sqrt(3) < 42 u' m; the shares' errors and the roundings
 // of the sum cost 8 u' m |h| < 24 u' m. 512 u' m covers all. For m below 2^-1000, the bound |h(d)| <= 3 m suffices.
+// Claim: verify/proofs/small_bounds.py
 template <class V>
 ECODS_ALWAYS_INLINE Reaches<V> reaches(const Row& support, V x, V y, V z) noexcept {
     const V none{}, one = none + 1;

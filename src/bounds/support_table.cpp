@@ -49,6 +49,7 @@ constexpr std::size_t face_size = SupportTableGrid::face_size, direction_count =
 
 // Points are (v - center) / scale, so |y| <= sqrt(3), and |direction| <= sqrt(3). Rounding the point costs 1.01 v of
 // each coordinate (v = 2^-23), the product 3.01 v: below 4.1 v sum |direction_k y_k| <= 4.1 v 3 < 13 v.
+// Claim: verify/proofs/float_determinants.py
 SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(frame) {
     std::array<Row, 3> directions;
     for (std::size_t at = 0; at < direction_count; ++at) {

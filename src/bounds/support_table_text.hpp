@@ -14,6 +14,7 @@
 // The oriented box reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u'
 // |R| 1 in units of the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has
 // one.
+// Claim: verify/proofs/small_bounds.py
 ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, Double4 t, const Matrix4& size,
                                       double delta) noexcept {
     const Double4 center = R * load3(table.frame.center.data()) + t;  // the operations of pose_point

@@ -18,6 +18,7 @@ namespace ecods {
 // that were flushed to zero are off by 2^-1022, which is 2^-522 of a gap that counts there. The largest gap alone is a
 // bound at any scale: it may be as small as 2^-960, of which 2^-1022 is 2^-62. All steps are monotone, so boxes within
 // these have no smaller bound.
+// Claim: verify/proofs/small_bounds.py
 inline double distance_below(const Aabb& a, const Aabb& b) noexcept {
     constexpr double factor = 1 - 0x1p-48, gap_min = 0x1p-500, gap_max = 0x1p500, largest_min = 0x1p-960;
     double largest = 0, sum = 0;

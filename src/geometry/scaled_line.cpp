@@ -49,6 +49,7 @@ Scaled scaled(double x, int e) noexcept {
 
 // Bound. With u' = 2^-52, a difference of two coordinates has a relative error of u'. Numbers that underflow, or are
 // subnormal and taken for zero, lose less than 2^-1020 before the direction is scaled, by at most 2^900.
+// Claim: verify/proofs/lines_and_times.py
 ScaledLine::ScaledLine(const Line& line) noexcept : a(line.a) {
     is_point = !line.is_ray;
     int halvings = 0;

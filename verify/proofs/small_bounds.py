@@ -46,6 +46,11 @@ claim((3 * 2 * tau + far * 0) < Q(1, 50), "|F^-1| is below 1.01 entry by entry s
 rounding = ((1 + U) ** 4 - 1) * far * (1 + 3 * tau)
 claim(rounding + 3 * Q(31, 10) * tau * far <= coordinate_error, "the error of coordinates")
 
+# src/bounds/local_frame.cpp: the product of the axes is computed with three roundings, of terms whose sum is near one.
+half = constant("src/bounds/local_frame.cpp", r"tau <= ([\d.]+) \* frame_tau_max")
+claim(((1 + U) ** 3 - 1) * (1 + Q(1, 2**20)) + half * tau <= tau, "the axes of a frame")
+claim(half >= Q(1, 2), "half of tau is what is tested")
+
 # src/bounds/support_lanes_text.hpp: places on the grid and shares, h(d) at most 3 m in units, and |y| <= sqrt(3).
 table_error = constant("src/bounds/support_lanes.hpp", r"table_error = (\d+) \* double_u") * U
 place = 4 * ((1 + U) ** 2 - 1) + 8 * U * (1 + 4 * U)  # of 8 cells: a product of at most 4, and a sum of at most 8
@@ -97,4 +102,15 @@ face = z[0] + (exact("t", V) * (z[1] - z[0]) - exact("s", V) * (z[2] - z[0]))
 worst = max(face.error(unit | {"t": Poly.of(t), "s": Poly.of(s)}).number() for t, s in ((1 + V, 0), (0, 1 + V)))
 claim(worst + 2 * V <= Q(24, 10) * E, "a point of a face")
 claim(R3 * max(2 * (E + E), Q(24, 10) * E + E + E) <= (nine - 1) * E, "the difference of two points")
+
+# src/query/distance/distance_bounds.cpp: a width that is certainly within the tolerance.
+more = constant("src/query/distance/distance_bounds.cpp", r"lower\) \* \(1 \+ (\d+) \* 0x1p-52\)") * U
+claim((1 - U) ** 2 * (1 + more) >= 1 + U, "a width that is too large")
+
+# src/bvh/tree/slabs.cpp: products of a normal of length 1 + v at most with corners that are off by corner_error.
+two = constant("src/bvh/tree/slabs.cpp", r"round_down\(low - (\d+) \* corner_error\)")
+corner_error = number("src/bvh/tree/mesh_bvh.hpp", r"corner_error = (0x1[.0-9a-fp]*-\d+)")
+of_normal = R3 * (1 + 2 * V)
+claim(of_normal * (corner_error + ((1 + U) ** 3 - 1) * (1 + Q(1, 2**22))) <= two * corner_error * (1 - U) ** 2 - 4 * U,
+      "the ends of a slab")
 end()

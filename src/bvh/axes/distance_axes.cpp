@@ -32,6 +32,7 @@ void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
 }
 
 // The factor 1 + 2^-48 covers four roundings of u' each.
+// Claim: verify/proofs/small_bounds.py
 float DistanceAxes::square_above(double distance) const noexcept {
     const double x = distance / unit_;
     return round_up(x * x * (1 + 0x1p-48) + least_square);

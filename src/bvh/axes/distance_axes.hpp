@@ -16,6 +16,7 @@
 // Underflow: a mode that rounds up makes squares larger by 2^-149 each, products by as much; with `square` below 2^5
 // that is below 2^-140, and limits, which squares are compared with, are raised by 2^-120. Overflow: the sums s are
 // required to be below 2^55, otherwise the margin is infinite, and gaps are 0, as they are for NaN.
+// Claim: verify/proofs/small_bounds.py
 #pragma once
 
 #include <array>

@@ -20,6 +20,7 @@
 // m_b and g. |n| has 2.5 u', two products u' each, and 16 u' are added. The sums that are compared have four roundings
 // of u' of at most the sum of their terms' magnitudes, and 8 u' of that sum are added. Underflow: see
 // separating_axes.hpp; for n in units it is 2^-600 of |n|.
+// Claim: verify/proofs/float_axes.py
 #pragma once
 
 #include <cstdint>

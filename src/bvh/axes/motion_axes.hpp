@@ -10,6 +10,7 @@
 //
 // The sets are those of separating_axes.hpp, with its bounds, each twice: for the poses at the start and at the end, on
 // the same axes. Coordinates are relative to the first body's translation, which moves linearly, too.
+// Claim: verify/proofs/motion_chords.md
 #pragma once
 
 #include <array>

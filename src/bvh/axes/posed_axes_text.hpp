@@ -223,6 +223,8 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P
 // The map to coordinates N x certainly is a bijection if N times the edges of the own tree's boxes is. As computed this
 // product is e from the identity, summed over a row, and its error is less than 7 u' w. A matrix whose rows are less
 // than one from the identity's is not singular.
+// Claim: verify/proofs/posed_axes.py
+// Claim: verify/proofs/float_axes.py
 ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact) noexcept {
     const bool is_of_a = exact.own_tree == Own::a;
     set_projection(set.a, exact.a(), Double4{}, exact.is_unit && is_of_a);

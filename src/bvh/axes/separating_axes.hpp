@@ -37,6 +37,8 @@
 // are required to be below 2^100; otherwise, and for NaN, the margin is infinite and the row never separates. A mode
 // that rounds down turns infinities into large numbers, which a short axis would hide: so the sum of magnitudes before
 // the projection by N, an upper bound of every world coordinate, is required to be below 2^1000.
+// Claim: verify/proofs/posed_axes.py
+// Claim: verify/proofs/float_axes.py
 #pragma once
 
 #include <array>

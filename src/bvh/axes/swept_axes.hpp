@@ -18,6 +18,7 @@
 // which 23 are used, n.v adds 4.01 v |v|, but |v| is not a part of the error of places: it uses less than 24 v |v|. A
 // speed of zero, or one that underflows to it, has no quotient: beginnings then are at most 2^100 times the gap, and
 // ends are infinite, or NaN if the gap is zero, which limits nothing.
+// Claim: verify/proofs/small_bounds.py
 #pragma once
 
 #include <array>

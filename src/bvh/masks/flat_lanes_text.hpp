@@ -36,6 +36,7 @@ struct FlatLanes : ProjectedLanes<float_width> {
     // their sum; the values at the edge's ends, taken for 0, by no more. Two of them, and rounding the sum on the
     // right, which costs v E_k, are sum |n_k| (2 d_k + 7.02 v E_k); `error` is 2.01 d + 7.1 v E, which covers its own
     // evaluation. Underflow: products lose 2^-126 each, far below the 2^-100 that is added.
+    // Claim: verify/proofs/float_determinants.py
     template <class Own, class Other>
     ECODS_ALWAYS_INLINE static Ints find_parted(const FlatTriangle<Own>& own, const FlatTriangle<Other>& other,
                                                 const Floats (&error)[2]) noexcept {

@@ -9,6 +9,8 @@
 // than either in size, so if underflow makes a gap zero, it proves nothing, and otherwise the quotient is defined. A
 // quotient that underflows is off by 2^-126: 2^-100 is subtracted or added, too. The intervals that remain begin at 0
 // or later. NaN compares false, and proves nothing.
+// Claim: verify/proofs/float_determinants.py
+// Claim: verify/proofs/motion_chords.md
 struct MeetingMeasure : TimeMeasure {
     const std::array<MotionSet, 2>& sets;
 

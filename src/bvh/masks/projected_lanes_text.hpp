@@ -116,6 +116,7 @@ struct ProjectedLanes {
     // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, summed as |n_k| (...)_k. A box
     // adds a reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s +
     // 48 u' w + 3 e.
+    // Claim: verify/proofs/float_axes.py
     struct SlabAxis {
         std::array<float, 3> m;
         float low, high;

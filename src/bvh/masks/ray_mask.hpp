@@ -22,6 +22,7 @@
 //   corner_error < 2.01 v of a unit. In all below 16 v (|shift| + sum |g|).
 //   Underflow. Doubles lose 2^-1022 each, times factors below 2^500, which is checked, so below 2^-400 in a hundred
 //   operations; floats 2^-126 each: 2^-100 is added. If a check fails the margin is infinite, and no box is excluded.
+// Claim: verify/proofs/posed_axes.py
 #pragma once
 
 #include <array>

@@ -15,6 +15,7 @@
 // sum of |n_k| (E + 4.01 v M). Two of them, and the rounding of M, make 2 E + 9 v M; the difference, its square, n . n,
 // the quotient and the factor are below 10 v, relative, and 2^-18 of `square` covers them together with the errors of
 // near_mask.
+// Claim: verify/proofs/small_bounds.py
 struct BoundsKernel : ProjectedLanes<float_width> {
     struct Vector {
         Floats x, y, z;

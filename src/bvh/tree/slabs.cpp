@@ -80,6 +80,7 @@ Vec3 thinnest(std::span<const TreeLeaf> leaves, int flat_axis) {
 // Returns a slab along `area` that contains the triangles of the leaves; any normal is sound. Its products with corners
 // are off by 3.01 u' sum |normal| |y| <= 3.01 u' sqrt(3) (1 + 2^-22), and by corner_error sum |normal| for the corners
 // themselves: below 2 corner_error.
+// Claim: verify/proofs/small_bounds.py
 Slab slab_of(std::span<const TreeLeaf> leaves, const Vec3& area) {
     const double length = area.norm();
     Slab slab{};

@@ -9,6 +9,8 @@
 // (verify/proofs/posed_point.g.) The sum S is itself computed, and too low by at most a factor of (1 - u')^4, and
 // (t - t0) is known as d to a factor of 1 + u': ((1 + u')^4 - 1) (1 - u')^-5 < 4.0001 u', so the slack of 17/4 over 4
 // covers it. An absolute term covers underflow (point_error_bound).
+// Claim: verify/proofs/posed_point.g
+// Claim: verify/proofs/point_error_bound.py
 #pragma once
 
 #include <algorithm>

@@ -15,6 +15,7 @@
 // Range. Differences are multiples of 2^low below 2^(high + 3), with low >= -300 and high <= 200 (Frame, in
 // exact/point/frame.cpp). So all products are multiples of 2^(3 low) >= 2^-900 below 2^612, rounded or not: nothing
 // underflows or overflows, and p is zero only if every product is.
+// Claim: verify/proofs/difference_signs.py
 #pragma once
 
 #include <array>

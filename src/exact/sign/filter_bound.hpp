@@ -27,6 +27,9 @@
 // the other operations: the total is below 2^-818. B > 2^-780 makes half of the slack, B 2^-21 > 2^-801, larger. If the
 // guard fails, the bound is infinite and the question goes to integers. (Underflow of a difference is below 2^-1022,
 // and covered by the slack of delta.)
+// Claim: verify/proofs/orient3d.g
+// Claim: verify/proofs/orient2d.g
+// Claim: verify/proofs/filter_bound.py
 #pragma once
 
 #include <algorithm>

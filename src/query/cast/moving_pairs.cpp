@@ -24,6 +24,7 @@ constexpr std::array<double, 2> beginnings{0x1p-1022, 0x1p-537};
 // The motion up to time s, as a motion of its own. Its end is P (1 - s) + Q s, computed as moving_points.hpp says: off
 // by the errors of the given points, at most e0 + s e1, by 3.01 u' (|P| + s |Q|) of rounding, and by 2^-1022 for each
 // product that underflows.
+// Claim: verify/proofs/moving_points.py
 exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
     exact::MovingPoints result = points;
     double most_at_start = 0, most_at_end = 0;

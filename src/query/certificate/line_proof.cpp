@@ -72,6 +72,7 @@ class LineProof {
 // Projects the piece, which ends at from + s (to - from). That point takes two products, each with the errors of a
 // difference, of the rounded parameter and of a product; and two sums: below 8 u' (|from| + |to|) on each axis.
 // Products with n add 4 u'.
+// Claim: verify/proofs/lines_and_times.py
 LineProof::Axis LineProof::bind(const Vec3& n) const {
     Axis axis;
     axis.n = n;

@@ -182,6 +182,8 @@ std::uint32_t PosedHulls::support(std::size_t side, const Point& direction) cons
 // off by less than 13.4 u' sum |n|_1 < 3.2 D |n|_1. The error of n changes the difference of two heights by
 // 3 error size(side). The factor 3.6 covers the roundings of the margin as well, and underflow: that is below 2^-900,
 // and D must be at least 2^-200, as |n|_1 and the errors of its vectors then are 2^-600 or more.
+// Claim: verify/proofs/difference_signs.py
+// Claim: verify/proofs/hull_signs.py
 auto PosedHulls::heights(std::size_t side, const Point& n, double error) const noexcept -> Heights {
     const Body& body = bodies_[side];
     const double margin = 3.6 * (error * body.size + delta_ * exact::sum_of_magnitudes(n));

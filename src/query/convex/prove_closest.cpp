@@ -14,6 +14,7 @@
 // Nothing overflows: coordinates are below 2^111, products of four below 2^460. Underflow loses less than 2^-1022,
 // times other factors. The bounds have two factors of at least 2^-200 in its place, because delta must be at least
 // 2^-200.
+// Claim: verify/proofs/hull_signs.py
 #include <cmath>
 
 #include "base/arithmetic.hpp"

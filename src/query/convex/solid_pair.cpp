@@ -31,6 +31,7 @@ using exact::sum_of_magnitudes;
 // both products below; the root is off by less than 4 u'. Underflow in a product is below 2^-1022, and all of it below
 // 2^-900; n is so large that underflow has no other effect, and a limit that is flushed to zero is below what 2^-900 /
 // |n| leaves.
+// Claim: verify/proofs/lines_and_times.py
 bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noexcept {
     const Point n = minus(hulls.center(1), hulls.center(0));
     if (hulls.exponent() != 0 || !hulls.is_scanned(0) || !hulls.is_scanned(1) || !(largest(n) >= 0x1p-400))

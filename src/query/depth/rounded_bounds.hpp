@@ -24,6 +24,7 @@
 //
 // Underflow loses less than 2^-1000 in all. As delta is at least 2^-200, and E between delta and 2^200, a bound of
 // 2^-800 covers it. Scenes beyond these limits are left to integers.
+// Claim: verify/proofs/hull_signs.py
 #pragma once
 
 #include <cmath>

@@ -19,6 +19,7 @@ double least(double x, double y) {
 
 // True if certainly upper - lower <= max(absolute, relative * lower), or if the bounds are equal or adjacent doubles.
 // The difference and the product are each off by u' = 2^-52.
+// Claim: verify/proofs/small_bounds.py
 bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
     if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
     if (key_of(bounds.upper) == key_of(infinity)) return false;

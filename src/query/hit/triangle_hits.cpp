@@ -92,6 +92,7 @@ ECODS_ALWAYS_INLINE Double4 sums_of(Double4 a, Double4 b, Double4 c, Double4 d) 
 // No number is infinite or a NaN: a sum S of magnitudes at which posing could overflow makes delta at least 4 u' S,
 // which is then beyond size_max. In a mode that rounds down, an upper end that overflows is the largest double: no hit
 // is beyond it, since a point of the triangle is at most sqrt(3) size_max from 0.
+// Claim: verify/proofs/triangle_hits.py
 ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std::array<const Vec3*, 3>& corners,
                                                   HitEnclosure& result) noexcept {
     using Verdict = HitEnclosure::Verdict;

@@ -20,6 +20,7 @@ namespace {
 // by u' of itself, the three products and sums by 3.01 u' of the sum, and 2^-50 = 4 u'; each underflow loses at most
 // 2^-1022. Overflow does no harm: an infinite sum is not exceeded, and an infinite difference is larger than every
 // finite sum.
+// Claim: verify/proofs/small_bounds.py
 bool is_far(const Vec3& point, const exact::MeshExtent& extent, const Pose& pose) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
         const double offset = std::abs(point[axis] - pose.t[axis]);

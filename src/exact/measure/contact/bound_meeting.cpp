@@ -52,6 +52,8 @@ struct Part {
 };
 
 // Keeps the part between the zeros of the gaps' chords, from the gaps along four vectors at both ends of the interval.
+// Claim: verify/proofs/moving_points.py
+// Claim: verify/proofs/motion_chords.md
 ECODS_ALWAYS_INLINE void shorten(Part& part, Double4 gap_from, Double4 gap_to) noexcept {
     const Double4 zero{}, one = zero + 1, two = zero + 2;
     const auto apart_before = gap_from > zero, apart_after = gap_to > zero;

@@ -14,6 +14,7 @@
 // their feet along m are inside: p + s m = q + s1 u + s2 v for a vertex and a face from q, p + s1 u + s m = q + s2 v
 // for edges. If n.m > 0 and the other corners are strictly on their sides of the planes of the features perpendicular
 // to n, no other point is shared at that time, and none before.
+// Claim: verify/proofs/contact_ends.py
 #include "exact/measure/contact/enclose_contact.hpp"
 
 #include <algorithm>

@@ -13,6 +13,7 @@
 // 2^-1022; numbers below 2^-1022 before scaling are less than 2^-22 of e0 and e1, which are 2^-1000 or more. Vectors n
 // are products of three differences at most: below 2^8. An operation that underflows, or a time that is taken for zero,
 // loses 2^-1022 times such factors: a hundred of them are below 2^-1000, and 2^-990 is added to the bound.
+// Claim: verify/proofs/moving_points.py
 #pragma once
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 // on an axis as computed. V is off by u' V and by twice the error of the places, which for w <= 2^-20 is below 2^-18 of
 // an error that counts 2.25 times in place of 2; the difference of the times and the products are off by some u' of
 // themselves. The excess over 2 covers all of this. Vectors are products of at most three differences of corners.
+// Claim: verify/proofs/lines_and_times.py
 #pragma once
 
 #include <array>

@@ -9,6 +9,8 @@
 // weights are c 2^(shift - shift of w). A term meets one rounding as a product and at most four in sums, so a
 // coordinate of z is off by at most ((1 + u')^5 - 1) X + eta <= 10.01 + eta times 1 + (the sum of these weights), and
 // |z| by sqrt(3) times as much. Weights that are not the best ones only make the interval wider.
+// Claim: verify/proofs/enclosure.g
+// Claim: verify/proofs/distance_ends.py
 #include "exact/measure/distance/enclose_distance.hpp"
 
 #include <algorithm>

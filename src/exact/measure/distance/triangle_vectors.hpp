@@ -36,6 +36,10 @@
 //     s1 = (w x v).d / (f n.d),     s2 = (w x u).d / (g n.d),     inside if these and 1 - s1, 1 - s2 are.
 // Signs of s1 and s2, times n.d, are certain by the bound of (x x y).d, which is the bound of (x x y).z for a motion
 // and of (x x y).(z x v) for n; sums of them as above.
+// Claim: verify/proofs/weak_duality.py
+// Claim: verify/proofs/enclosure_signs.g
+// Claim: verify/proofs/enclosure_signs_exact.g
+// Claim: verify/proofs/certain_signs.py
 #pragma once
 
 #include <algorithm>

@@ -143,6 +143,7 @@ bool round_coordinate(double x, Int128 d, int unit, std::uint64_t digits, std::u
 // or 64 digits. Its divisor is too small by a relative error below 2^-63, which makes q too large by less than 2, and
 // rounding down makes q too small by less than 1. The sums' errors and the digits that the dividend lost are below 2^-4
 // of a unit. So the true quotient is between q - 3 and q + 2.
+// Claim: verify/proofs/fixed_digits.py
 bool round_crossing(const LineInUnits& line, const std::array<IntegerVector, 3>& corners,
                     RoundedCrossing& result) noexcept {
     const Normal n = normal_of(corners);

@@ -5,6 +5,7 @@
 // A result has 128 leading digits, which are below 2^128, and errors are counted in units of the last one. A relative
 // error of 2^-94, as in inverse_root, is below 2^34 units, and a relative error of 2^-124 error is below 16 error
 // units.
+// Claim: verify/proofs/fixed_digits.py
 #include "exact/measure/round/fixed_length.hpp"
 
 #include "exact/measure/round/fixed_digits.hpp"

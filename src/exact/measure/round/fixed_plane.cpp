@@ -105,6 +105,7 @@ std::optional<int> FixedPlane::side() const noexcept {
 // Let P = size root_, whose leading 128 digits are the result's. P is off by 2^127 for each unit of error in size. Its
 // relative errors are 2^-94 from root_ and 2^-124 error_ from |short_n_|, which is at least 2^125 and off by sqrt(3)
 // error_.
+// Claim: verify/proofs/fixed_digits.py
 auto FixedPlane::quotient(Uint128 size, Uint128 error, int exponent) const noexcept -> std::optional<FixedDigits> {
     if (is_open_ || size == 0 || error >> 64 != 0 || error_ >> 64 != 0) return std::nullopt;
     const Int256 product = exact::multiply_halves(size, root_);
