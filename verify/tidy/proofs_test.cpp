@@ -49,13 +49,13 @@ std::map<std::string, std::string> believed() {
 }
 
 TEST(ProofRules, DerivationsAreFound) {
-    for (const char* text :
-         {"// off by 3 u' of it", "// Bound. Let x be", "// Bound, in doubles", "    // Bound: that of", "// Derivation.",
-          "// with v = 2^-23", "inline double side_bound(int a) {", "constexpr double own_bound = 1;"}) {
+    for (const char* text : {"// off by 3 u' of it", "// Bound. Let x be", "// Bound, in doubles",
+                             "    // Bound: that of", "// Derivation.", "// with v = 2^-23",
+                             "inline double side_bound(int a) {", "constexpr double own_bound = 1;"}) {
         EXPECT_EQ(find_derivations(text).size(), 1U) << text;
     }
-    for (const char* text : {"// the bound. It", "OverlapBound.", "if (x.is_bound()) {", "const u = 'u';", "// a derivation",
-                             "auto at = std::lower_bound(a, b);", "u'"}) {
+    for (const char* text : {"// the bound. It", "OverlapBound.", "if (x.is_bound()) {", "const u = 'u';",
+                             "// a derivation", "auto at = std::lower_bound(a, b);", "u'"}) {
         EXPECT_TRUE(find_derivations(text).empty()) << text;
     }
     EXPECT_EQ(find_derivations("a\n// u'\n").at(0).line, 2);
@@ -79,8 +79,8 @@ TEST(Proofs, EveryDerivationNamesItsClaim) {
         const auto derivations = find_derivations(text);
         const bool has_claim = !find_claims(text).empty(), is_believed = open.contains(file);
         if (!derivations.empty() && !has_claim && !is_believed) {
-            ADD_FAILURE() << file << ":" << derivations[0].line << ": a bound without a claim in verify/proofs: "
-                          << derivations[0].what;
+            ADD_FAILURE() << file << ":" << derivations[0].line
+                          << ": a bound without a claim in verify/proofs: " << derivations[0].what;
         }
         if (is_believed) {
             EXPECT_FALSE(derivations.empty()) << file << " derives no bound; verify/proofs/believed.txt names it";
@@ -103,7 +103,8 @@ TEST(Proofs, EveryClaimIsNamedAndInTheTable) {
     const std::string table = read(proofs / "README.md");
     for (const auto& entry : fs::directory_iterator(proofs)) {
         const std::string name = entry.path().filename().string(), ending = entry.path().extension().string();
-        if ((ending != ".g" && ending != ".py" && ending != ".md") || name == "rounding.py" || name == "README.md") continue;
+        if ((ending != ".g" && ending != ".py" && ending != ".md") || name == "rounding.py" || name == "README.md")
+            continue;
         EXPECT_TRUE(files_of.contains(name)) << "no derivation in src names verify/proofs/" << name;
         EXPECT_NE(table.find("`" + name + "`"), std::string::npos) << "verify/proofs/README.md has no row of " << name;
     }
