@@ -114,7 +114,8 @@ struct TriangleLanes : ProjectedLanes<float_width> {
     // none for extents below 2^40; larger triangles are not judged. (An infinity would be harmless, but a mode that
     // rounds down turns only the determinants into one, and the bound into the largest float.) Underflow: products of
     // three lose 2^-126 times extents, but those that matter here are near one: coordinates that decide are below 4 in
-    // size, or delta is above 2^-20 of them; 2^-100 is added. Claim: verify/proofs/float_determinants.py
+    // size, or delta is above 2^-20 of them; 2^-100 is added.
+    // Claim: verify/proofs/float_determinants.py
     template <class NormalOfP>
     ECODS_ALWAYS_INLINE static Found decide(const std::array<float, 4>& delta, const Vectors (&p)[3],
                                             const NormalOfP& n, const Vectors (&q)[3], const Vectors& m,
