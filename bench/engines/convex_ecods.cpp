@@ -35,11 +35,10 @@ ConvexAnswer to_answer(const Depth& depth) {
 }
 
 ConvexAnswer ask_solid_distance(const ConvexBody& a, const ConvexBody& b, const Ask& ask) {
-    return {solid_distance(a, b, ask)};
+    return {distance(a, b, ask)};
 }
 ConvexAnswer ask_solid_closest(const ConvexBody& a, const ConvexBody& b, const Ask& ask) {
-    const auto points = solid_closest(a, b, ask);
-    return {points ? points->distance : 0};
+    return {closest(a, b, ask).distance};
 }
 ConvexAnswer ask_depth(const ConvexBody& a, const ConvexBody& b, const Ask& ask) {
     return to_answer(depth(a, b, ask).value());
@@ -52,7 +51,7 @@ std::vector<ConvexMaker> ecods_convex(ConvexQuestion question) {
     std::vector<ConvexMaker> makers = {
         {.name = "ECoDS convex",
          .use = is_depth ? "depth(), one QueryMemory; rounded once, direction and features by the rule"
-                         : "solid_distance(), one QueryMemory; rounded once",
+                         : "distance(), one QueryMemory; rounded once",
          .is_ecods = true,
          .set_up = makes<ConvexEcods>(is_depth ? ask_depth : ask_solid_distance)},
         {.name = "ECoDS convex, witness",
@@ -61,7 +60,7 @@ std::vector<ConvexMaker> ecods_convex(ConvexQuestion question) {
          .set_up = makes<ConvexEcods>(is_depth ? ask_depth : ask_solid_distance, true)}};
     if (!is_depth) {
         makers.push_back({.name = "ECoDS convex closest",
-                          .use = "solid_closest(); distance and points rounded once, features by the rule",
+                          .use = "closest(); distance and points rounded once, features by the rule",
                           .is_ecods = true,
                           .set_up = makes<ConvexEcods>(ask_solid_closest)});
     }

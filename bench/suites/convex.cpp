@@ -44,7 +44,7 @@ bool parts(const ConvexWorkload& workload, const MeshQuery& query, const Vec3& w
     QueryMemory memory;
     const Pose moved{query.b.pose.R, query.b.pose.t + way};
     if (!moved.t.allFinite()) return false;
-    const Relation relation = solid_relation({a, query.a.pose}, {b, moved}, memory);
+    const Relation relation = ecods::relation({a, query.a.pose}, {b, moved}, memory);
     return relation == Relation::apart || relation == Relation::touching;
 }
 

@@ -125,7 +125,7 @@ std::uint64_t certificate_bits(const Body& a, const Body& b, const Ask& ask) {
 
 // Numbers relations of solids without `crossing`, as builds before 0.4 do: their answers are compared with new ones.
 std::uint64_t solid_relation_number(const Body& a, const Body& b, const Ask& ask) {
-    const Relation relation = solid_relation(as<Solid>(a), as<Solid>(b), ask);
+    const Relation relation = ecods::relation(as<Solid>(a), as<Solid>(b), ask);
     return static_cast<std::uint64_t>(relation) - (relation > Relation::crossing ? 1 : 0);
 }
 
@@ -140,7 +140,7 @@ std::uint64_t location_bits(const Body& a, const Body& b, const Ask& ask) {
 // Says how deep, or else how far.
 std::uint64_t hull_bits(const Body& a, const Body& b, const Ask& ask) {
     const Posed<ConvexSolid> one = as<ConvexSolid>(a), other = as<ConvexSolid>(b);
-    const double apart = solid_distance(one, other, ask);
+    const double apart = distance(one, other, ask);
     if (apart > 0) return std::bit_cast<std::uint64_t>(apart);
     const Depth deep = depth(one, other, ask).value();
     Hash hash;

@@ -103,7 +103,7 @@ void add_pair_row(Table& table, const SolidScene& scene, std::size_t repetition_
     QueryMemory memory;
     const Posed<Solid> a(*scene.a, scene.pose_a), b(*scene.b, scene.pose_b);
     const Relation mirrored = scene.relation == Relation::contains ? Relation::inside : scene.relation;
-    const int wrong = (solid_relation(a, b, memory) != scene.relation) + (solid_relation(b, a, memory) != mirrored);
+    const int wrong = (relation(a, b, memory) != scene.relation) + (relation(b, a, memory) != mirrored);
     is_right &= wrong == 0;
     volatile int sink = 0;
     const auto corner_of = [](const Posed<Solid>& solid) {
@@ -111,14 +111,15 @@ void add_pair_row(Table& table, const SolidScene& scene, std::size_t repetition_
         return Vec3(solid.pose.R * mesh.vertices()[mesh.triangles()[0][0]] + solid.pose.t);
     };
     const Vec3 p = corner_of(a), q = corner_of(b);
+    const Posed<MeshShape> surface_a(surface_of(*scene.a), a.pose), surface_b(surface_of(*scene.b), b.pose);
     const Pass apart = [&] {
-        sink = intersects(a, b, memory);
+        sink = intersects(surface_a, surface_b, memory);
         sink = static_cast<int>(locate(p, b, memory).side);
         sink = static_cast<int>(locate(q, a, memory).side);
     };
     const Pass meeting = [&] { sink = static_cast<int>(intersecting_triangles(a, b, memory).size()); };
     const auto us = time_passes(
-        {[&] { sink = static_cast<int>(solid_relation(a, b, memory)); }, scene.do_surfaces_meet ? meeting : apart},
+        {[&] { sink = static_cast<int>(relation(a, b, memory)); }, scene.do_surfaces_meet ? meeting : apart},
         repetition_count);
     const std::size_t triangles = a.what->mesh().triangles().size() + b.what->mesh().triangles().size();
     table.rows.push_back({scene.name, (std::ostringstream() << scene.relation).str(), fmt::format("{}", triangles),

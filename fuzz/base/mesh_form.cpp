@@ -6,7 +6,7 @@ namespace ecods::fuzz {
 
 MeshForm form_of(const Shape& shape) noexcept {
     const auto* const of_mesh = dynamic_cast<const MeshShape*>(&shape);
-    return of_mesh != nullptr ? ecods::form_of(*of_mesh) : MeshForm::surface;
+    return of_mesh != nullptr ? of_mesh->form() : MeshForm::surface;
 }
 
 bool has_form(const std::shared_ptr<const Mesh>& mesh, MeshForm form) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "fuzz/base/failure.hpp"
@@ -41,23 +42,30 @@ const char* name_of(Relation relation) {
 }  // namespace
 
 void check_answers(World& world, const Truth& truth, Counters& counters) {
-    for (const auto& [ids, verdict, is_changed] : truth.pairs()) {
-        if (!is_changed) continue;
+    for (const TruePair& pair : truth.pairs()) {
+        if (!pair.is_changed) continue;
+        const auto& [ids, verdict] = std::tie(pair.ids, pair.verdict);
         ++counters["checked: pairs against the oracle"];
         counters["checked: triangle pairs that touch"] += verdict.triangles.size();
         ++counters[name_of(verdict.relation)];
-        require_relation(world.relation(ids.a, ids.b), verdict.relation, "relation");
-        require_relation(world.relation(ids.b, ids.a), verdict.relation, "relation, swapped");
-        if (world.intersects(ids.b, ids.a) != (verdict.relation != Relation::apart)) {
+        counters["checked: bodies of which a part is inside another"] += pair.is_a_inside || pair.is_b_inside;
+        const auto require_relation = [&](Relation got, const char* check) {
+            if (pair.are_surfaces) return fuzz::require_relation(got, verdict.relation, check);
+            // Of solids, the relation itself is judged where they have few triangles (solid_questions).
+            if ((got != Relation::apart) != pair.do_meet()) throw CheckFailed(check, text(verdict.relation), text(got));
+        };
+        require_relation(world.relation(ids.a, ids.b), "relation");
+        require_relation(world.relation(ids.b, ids.a), "relation, swapped");
+        if (world.intersects(ids.b, ids.a) != pair.do_meet()) {
             throw CheckFailed("intersects", text(verdict.relation), "the contrary");
         }
         // Shapes at the poses of the bodies, beside a body and beside each other.
         const Asked a(world.shape(ids.a), world.pose(ids.a)), b(world.shape(ids.b), world.pose(ids.b));
-        require_relation(world.relation(a, ids.b), verdict.relation, "relation of a shape and a body");
-        require_relation(world.relation(b, a), verdict.relation, "relation of two shapes");
+        require_relation(world.relation(a, ids.b), "relation of a shape and a body");
+        require_relation(world.relation(b, a), "relation of two shapes");
         std::vector<TrianglePair> expected = verdict.triangles;
         require_triangles(world, ids.a, ids.b, expected, "triangle pairs");
-        for (TrianglePair& pair : expected) std::swap(pair.a, pair.b);
+        for (TrianglePair& triangles : expected) std::swap(triangles.a, triangles.b);
         std::ranges::sort(expected);
         require_triangles(world, ids.b, ids.a, expected, "triangle pairs, swapped");
     }
@@ -76,19 +84,27 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
     if (!truth.knows(body)) return;
     const BodyId name = numbers_of(body);
     expected = {name};
+    std::vector<BodyId> met_by_surface = expected;
     for (const TruePair& pair : truth.pairs()) {
-        if (pair.verdict.relation == Relation::apart) continue;
-        if (pair.ids.a == name) expected.push_back(pair.ids.b);
-        if (pair.ids.b == name) expected.push_back(pair.ids.a);
+        const bool is_a = pair.ids.a == name;
+        if (!pair.do_meet() || (!is_a && pair.ids.b != name)) continue;
+        const BodyId other = is_a ? pair.ids.b : pair.ids.a;
+        expected.push_back(other);
+        const bool is_inside = is_a ? pair.is_a_inside : pair.is_b_inside;
+        if (pair.verdict.relation != Relation::apart || is_inside) met_by_surface.push_back(other);
     }
     std::ranges::sort(expected);
+    std::ranges::sort(met_by_surface);
     auto got = numbers_of(world.intersecting_bodies({world.shape(body), world.pose(body)}));
     std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
     require_bodies(got, expected, "bodies that a shape touches");
 
-    got = numbers_of(world.intersecting_bodies({mesh_of(*world.shape(body)), world.pose(body)}));
-    std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
-    require_bodies(got, expected, "bodies that a mesh touches");
+    // A mesh is a surface, with all its triangles.
+    if (truth.has_all_triangles(name)) {
+        got = numbers_of(world.intersecting_bodies({mesh_of(*world.shape(body)), world.pose(body)}));
+        std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
+        require_bodies(got, met_by_surface, "bodies that a mesh touches");
+    }
 
     // With a filter, only those that name it and that it names.
     const CollisionFilter filter = world.filter(body);

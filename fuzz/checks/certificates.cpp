@@ -88,12 +88,9 @@ void Certificates::ask(const World& world, const Truth& truth, std::uint32_t fra
     const auto drawn = AnyPair(world, truth).draw(random, triangle_pairs_max);
     if (!drawn) return;
     const auto& [a, b] = *drawn;
-    const auto shape_a = world.shape(a->id), shape_b = world.shape(b->id);
+    const auto shape_a = surface_shape(world.shape(a->id)), shape_b = surface_shape(world.shape(b->id));
     shapes_.insert(shapes_.end(), {shape_a, shape_b});
-    ask_pair({{a->id, b->id},
-              {dynamic_cast<const MeshShape&>(*shape_a), a->pose},
-              {dynamic_cast<const MeshShape&>(*shape_b), b->pose}},
-             frame, counters);
+    ask_pair({{a->id, b->id}, {*shape_a, a->pose}, {*shape_b, b->pose}}, frame, counters);
 }
 
 void Certificates::ask_pair(const Pair& pair, std::uint32_t frame, Counters& counters) {
@@ -122,8 +119,12 @@ void Certificates::ask_pair(const Pair& pair, std::uint32_t frame, Counters& cou
 
 void Certificates::ask_world(const World& world, std::uint32_t frame, Counters& counters) {
     const auto bodies = world.bodies();
-    const auto is_mesh = [&](BodyId body) { return world.shape(body)->kind() == ShapeKind::mesh(); };
-    if (bodies.size() > bodies_max || !std::ranges::all_of(bodies, is_mesh)) return;
+    // Certificates of solids are refused.
+    const auto is_surface = [&](BodyId body) {
+        const auto shape = world.shape(body);
+        return shape->kind() == ShapeKind::mesh() && surface_shape(shape) == shape;
+    };
+    if (bodies.size() > bodies_max || !std::ranges::all_of(bodies, is_surface)) return;
     const WorldCertificate certificate = world.certify(memory_);
     const std::size_t colliding = world.colliding_pairs().size(), close = world.close_pairs().size();
     if (certificate.colliding_count() != colliding || certificate.close_count() != close) {

@@ -7,6 +7,7 @@
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
 #include "oracle/distance.hpp"
+#include "oracle/solid.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 
@@ -18,10 +19,6 @@ using Pairs = std::vector<BodyPair>;
 constexpr std::size_t judged_max = 12;  // pairs a frame
 // Pairs of triangles; the oracle judges some thousand of them in a millisecond.
 constexpr std::size_t triangle_pairs_max = 40000;
-
-oracle::Soup soup_of(const TrueBody& body) {
-    return {.vertices = body.mesh->vertices(), .triangles = body.mesh->triangles(), .pose = body.pose};
-}
 
 // Whether certified boxes leave it open, on each axis and with doubles: the gap is off by a unit in the last place.
 bool may_be_close(const TrueBody& a, const TrueBody& b, double d) {
@@ -77,7 +74,10 @@ void check_close_pairs(const World& world, const Pairs& before, const Truth& tru
         const auto [a, b] = judged.back();
         judged.pop_back();
         if (a->mesh->triangles().size() * b->mesh->triangles().size() > triangle_pairs_max) continue;
-        const bool is_close = oracle::MeshDistances(soup_of(*a), soup_of(*b)).within(*clearance);
+        const oracle::Soup of_a = a->soup(), of_b = b->soup();
+        const bool is_close = oracle::MeshDistances(of_a, of_b).within(*clearance) ||
+                              (b->boundary.has_inside && oracle::has_piece_inside(of_a, of_b)) ||
+                              (a->boundary.has_inside && oracle::has_piece_inside(of_b, of_a));
         if (std::ranges::binary_search(now, BodyPair{a->id, b->id}) != is_close) {
             throw CheckFailed("close pairs",
                               std::string(is_close ? "with " : "without ") + text(BodyPair{a->id, b->id}), text(now));

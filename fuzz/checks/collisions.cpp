@@ -26,7 +26,7 @@ Pairs only_in_first(std::span<const BodyPair> first, std::span<const BodyPair> s
 Pairs true_collisions(const World& world, const Truth& truth) {
     Pairs result;
     for (const TruePair& pair : truth.pairs()) {
-        if (pair.verdict.relation == Relation::apart) continue;
+        if (!pair.do_meet()) continue;
         if (may_meet(world, pair.ids.a, pair.ids.b)) result.push_back(pair.ids);
     }
     return result;

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "ecods/distance.hpp"
 #include "ecods/error.hpp"
 #include "ecods/solid.hpp"
 #include "fuzz/base/failure.hpp"
@@ -64,7 +65,7 @@ std::optional<std::vector<Answer>> ask_one_by_one(const World& world) {
             const auto b = convex_of(world, bodies[j]);
             const Posed<ConvexSolid> first{*a, world.pose(bodies[i])}, second{*b, world.pose(bodies[j])};
             Answer& answer = result.emplace_back(
-                Answer{{numbers_of(bodies[i]), numbers_of(bodies[j])}, solid_distance(first, second, memory)});
+                Answer{{numbers_of(bodies[i]), numbers_of(bodies[j])}, ecods::distance(first, second, memory)});
             if (answer.distance == 0) answer.depth = depth(first, second, memory);
         }
     }
@@ -107,17 +108,17 @@ void check_depths(World& world, std::vector<Answer> expected) {
 // In both orders.
 void check_pair(World& world, const Answer& expected) {
     const auto [a, b] = expected.bodies;
-    Answer got{expected.bodies, world.solid_distance(b, a)};
+    Answer got{expected.bodies, world.distance(b, a)};
     if (got.distance == 0) got.depth = world.depth(a, b);
     require_same("a pair of convex solids", {got}, {expected});
     const auto at = [&](BodyId body) { return ecods::Asked(world.shape(body), world.pose(body)); };
-    Answer of_shapes{expected.bodies, world.solid_distance(at(a), b)};
+    Answer of_shapes{expected.bodies, world.distance(at(a), b)};
     if (got.distance == 0) of_shapes.depth = world.depth(at(a), at(b));
     require_same("a pair of convex solids that are no bodies", {of_shapes}, {expected});
-    const auto closest = world.solid_closest(b, a), swapped = world.solid_closest(a, b);
-    const bool is_same = closest.has_value() == (expected.distance > 0) && swapped.has_value() == closest.has_value() &&
-                         (!closest || (closest->distance == expected.distance && closest->point_a == swapped->point_b &&
-                                       closest->a == swapped->b));
+    const auto closest = world.closest(b, a), swapped = world.closest(a, b);
+    const bool is_same = (closest.kind < ClosestKind::intersecting) == (expected.distance > 0) &&
+                         swapped.kind == closest.kind && closest.distance == expected.distance &&
+                         closest.point_a == swapped.point_b && closest.a == swapped.b;
     if (!is_same) throw CheckFailed("where two convex solids are closest", text(expected), "another distance");
     if (!expected.depth) return;
     const Depth back = world.depth(b, a).value();

@@ -22,9 +22,8 @@ void DistanceQuestions::choose(const World& world, const Truth& truth, std::uint
         const auto pair = pairs.draw(random, triangle_pairs_max);
         if (!pair) continue;
         const auto& [a, b] = *pair;
-        const auto shape_a = world.shape(a->id), shape_b = world.shape(b->id);
-        const Posed<MeshShape> posed_a{dynamic_cast<const MeshShape&>(*shape_a), a->pose};
-        const Posed<MeshShape> posed_b{dynamic_cast<const MeshShape&>(*shape_b), b->pose};
+        const auto shape_a = surface_shape(world.shape(a->id)), shape_b = surface_shape(world.shape(b->id));
+        const Posed<MeshShape> posed_a(*shape_a, a->pose), posed_b(*shape_b, b->pose);
         const bool asks_all = random.below(4) == 0;
         chosen_.push_back({shape_a, shape_b,
                            judge::DistanceTruth(posed_a, posed_b, {.has_bounds = asks_all, .has_lists = asks_all})});

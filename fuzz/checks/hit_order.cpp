@@ -2,14 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
 
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/user_shape.hpp"
 #include "fuzz/checks/text.hpp"
+#include "fuzz/checks/truth.hpp"
 #include "fuzz/checks/way_questions.hpp"
 #include "judge/hit_truth.hpp"
+#include "oracle/solid.hpp"
 #include "scenes/numbers_of.hpp"
 
 namespace ecods::fuzz {
@@ -28,6 +31,19 @@ std::string text_of(const BodyId& body, const Hit& hit) {
     return fmt::format("{} {} rank {}", text(body), judge::text(hit), hit.rank);
 }
 
+// The hit of a line that begins inside a solid.
+std::optional<Hit> hit_from_inside(const std::variant<Segment, Ray>& line, const Boundary& boundary, const Pose& pose) {
+    if (!boundary.has_inside) return std::nullopt;
+    const Vec3 begin = line.index() == 0 ? std::get<Segment>(line).a : std::get<Ray>(line).origin;
+    const oracle::Soup solid{boundary.mesh->vertices(), boundary.mesh->triangles(), pose};
+    if (oracle::locate(begin, solid).side != oracle::PointSide::inside) return std::nullopt;
+    Hit hit;
+    hit.kind = HitKind::inside;
+    hit.feature = no_feature;
+    hit.point = hit.leave_point = begin;
+    return hit;
+}
+
 }  // namespace
 
 void check_hit_order(const World& world, const std::variant<Segment, Ray>& line, Counters& counters) {
@@ -35,11 +51,15 @@ void check_hit_order(const World& world, const std::variant<Segment, Ray>& line,
     std::size_t triangle_count = 0;
     for (const BodyId body : world.bodies()) {
         const auto shape = world.shape(body);
-        const MeshShape mesh(mesh_of(*shape));
+        const Pose pose = world.pose(body);
+        const Boundary boundary = boundary_of(*shape, mesh_of(*shape), pose);
+        const MeshShape mesh(boundary.mesh);
         triangle_count += mesh.mesh().triangles().size();
         if (triangle_count > triangles_max) return;
-        const auto exact = judge::exact_hits(line, {mesh, world.pose(body)});
-        const auto hits = judge::to_hits(exact);
+        const auto exact = judge::exact_hits(line, {mesh, pose});
+        auto hits = judge::to_hits(exact);
+        for (Hit& hit : hits) hit.feature.triangle = boundary.name(hit.feature.triangle);
+        if (const auto inside = hit_from_inside(line, boundary, pose)) expected.push_back({body, 0, *inside});
         // What a shape of the caller's own says counts as it is.
         const bool is_rounded = shape->kind() != ShapeKind::mesh();
         for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -26,16 +26,14 @@ std::string text_of(const BodiesContaining& found) {
     return fmt::format("{}, {} are no solids", text(found.bodies), found.skipped_count);
 }
 
-std::vector<SolidPair> pairs_one_by_one(const World& world) {
-    std::vector<SolidPair> result;
+std::vector<PairRelation> pairs_one_by_one(const World& world) {
+    std::vector<PairRelation> result;
     QueryMemory memory;
     const auto bodies = world.bodies();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const auto a = solid_of(world, bodies[i]);
-        for (std::size_t j = i + 1; a && j < bodies.size(); ++j) {
-            const auto b = solid_of(world, bodies[j]);
-            if (!b || !may_meet(world, bodies[i], bodies[j])) continue;
-            const auto relation = solid_relation({*a, world.pose(bodies[i])}, {*b, world.pose(bodies[j])}, memory);
+        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+            if (!may_meet(world, bodies[i], bodies[j])) continue;
+            const Relation relation = world.relation(bodies[i], bodies[j], memory);
             if (relation != Relation::apart) {
                 result.push_back({{numbers_of(bodies[i]), numbers_of(bodies[j])}, relation});
             }
@@ -121,15 +119,15 @@ void check_solids(std::span<World* const> worlds, std::uint32_t seed, Counters& 
     const auto bodies = first.bodies();
     const bool has_solids = std::ranges::any_of(bodies, [&](BodyId body) { return solid_of(first, body) != nullptr; });
     if (!has_solids || bodies.size() > few) return;
-    const auto expected = first.are_solids_related() ? pairs_one_by_one(first) : std::vector<SolidPair>();
+    const auto expected = first.are_relations_listed() ? pairs_one_by_one(first) : std::vector<PairRelation>();
     for (const World* world : worlds) {
-        std::vector<SolidPair> got;
-        for (const SolidPair& pair : world->solid_pairs()) {
+        std::vector<PairRelation> got;
+        for (const PairRelation& pair : world->relations()) {
             got.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, pair.relation});
         }
-        if (got != expected) throw CheckFailed("pairs of solids", text(expected), text(got));
+        if (got != expected) throw CheckFailed("relations", text(expected), text(got));
     }
-    counters["checked: pairs of solids in worlds"] += expected.size();
+    counters["checked: relations in worlds"] += expected.size();
     scenes::Random random(seed);
     for (int i = 0; i < 3; ++i) {
         const BodyId body = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];

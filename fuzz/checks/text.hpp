@@ -47,7 +47,7 @@ inline std::string text(const BodyHit& hit) {
     return fmt::format("{} {:a}:{}", text(hit.body), hit.hit.parameter, hit.hit.triangle());
 }
 
-inline std::string text(const SolidPair& pair) {
+inline std::string text(const PairRelation& pair) {
     return text(pair.bodies) + " " + judge::written(pair.relation);
 }
 

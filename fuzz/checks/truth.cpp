@@ -1,14 +1,55 @@
 #include "fuzz/checks/truth.hpp"
-#include "scenes/numbers_of.hpp"
 
 #include <algorithm>
 #include <utility>
 
+#include "fuzz/base/mesh_form.hpp"
+#include "oracle/solid.hpp"
+#include "oracle/solid_points.hpp"
+#include "scenes/numbers_of.hpp"
+
 namespace ecods::fuzz {
+namespace {
+
+TruePair judge(const TrueBody& a, const TrueBody& b) {
+    const bool are_surfaces = a.form == MeshForm::surface && b.form == MeshForm::surface;
+    TruePair pair{{a.id, b.id}, oracle::verdict(a.exact, b.exact), false, false, are_surfaces, true};
+    for (TrianglePair& triangles : pair.verdict.triangles) {
+        triangles = {a.boundary.name(triangles.a), b.boundary.name(triangles.b)};
+    }
+    if (pair.verdict.relation != Relation::apart) return pair;
+    pair.is_a_inside = b.boundary.has_inside && oracle::has_piece_inside(a.soup(), b.soup());
+    pair.is_b_inside = a.boundary.has_inside && oracle::has_piece_inside(b.soup(), a.soup());
+    return pair;
+}
+
+}  // namespace
 
 std::shared_ptr<const Mesh> mesh_of_mesh_shape(const Shape& shape) {
     const auto* of_mesh = dynamic_cast<const MeshShape*>(&shape);
     return of_mesh != nullptr ? of_mesh->mesh_ptr() : nullptr;
+}
+
+std::shared_ptr<const MeshShape> surface_shape(const std::shared_ptr<const Shape>& shape) {
+    if (const auto* solid = dynamic_cast<const Solid*>(shape.get())) return surface_of(*solid);
+    return std::dynamic_pointer_cast<const MeshShape>(shape);
+}
+
+Boundary boundary_of(const Shape& shape, const std::shared_ptr<const Mesh>& mesh, const Pose& pose) {
+    if (form_of(shape) == MeshForm::surface) return {mesh, {}, false};
+    Boundary result{mesh, {}, !oracle::is_singular(pose)};
+    std::vector<Triangle> proper;
+    for (std::uint32_t i = 0; i < mesh->triangles().size(); ++i) {
+        if (!oracle::has_area(*mesh, i)) continue;
+        proper.push_back(mesh->triangles()[i]);
+        result.names.push_back(i);
+    }
+    if (proper.size() == mesh->triangles().size()) {
+        result.names.clear();
+    } else {
+        result.mesh = Mesh::create({mesh->vertices().begin(), mesh->vertices().end()}, std::move(proper));
+    }
+    return result;
 }
 
 const TrueBody* Truth::find(BodyId body) const noexcept {
@@ -24,15 +65,19 @@ void Truth::look_at(const World& world) {
 void Truth::renew_bodies(const World& world) {
     std::vector<TrueBody> bodies;
     for (const BodyId id : numbers_of(world.bodies())) {
-        const auto mesh = mesh_of_(*world.shape(id));
+        const auto shape = world.shape(id);
+        const auto mesh = mesh_of_(*shape);
         if (!mesh) continue;
         const Pose pose = world.pose(id);
+        const MeshForm form = form_of(*shape);
         const TrueBody* known = find(id);
-        if (known != nullptr && known->mesh == mesh && known->pose == pose) {
+        if (known != nullptr && known->mesh == mesh && known->form == form && known->pose == pose) {
             bodies.push_back(*known);
             bodies.back().is_changed = false;
         } else {
-            bodies.push_back({id, mesh, pose, oracle::OracleMesh(mesh, pose), true});
+            Boundary boundary = boundary_of(*shape, mesh, pose);
+            const oracle::OracleMesh exact(boundary.mesh, pose);
+            bodies.push_back({id, mesh, form, pose, std::move(boundary), exact, true});
         }
     }
     bodies_ = std::move(bodies);
@@ -53,7 +98,7 @@ void Truth::renew_pairs() {
             if (!oracle::boxes_overlap(a.exact.outer_box(), b.exact.outer_box())) continue;
             const TrueBody& first = a.id < b.id ? a : b;
             const TrueBody& second = a.id < b.id ? b : a;
-            pairs_.push_back({{first.id, second.id}, oracle::verdict(first.exact, second.exact), true});
+            pairs_.push_back(judge(first, second));
         }
     }
     std::ranges::sort(pairs_, {}, &TruePair::ids);

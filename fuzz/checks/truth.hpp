@@ -2,12 +2,14 @@
 // that the truth of one world is that of all that were given the same calls.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "ecods/world.hpp"
+#include "oracle/distance.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/numbers_of.hpp"
 
@@ -17,18 +19,41 @@ namespace ecods::fuzz {
 using MeshOf = std::function<std::shared_ptr<const Mesh>(const Shape&)>;
 std::shared_ptr<const Mesh> mesh_of_mesh_shape(const Shape& shape);
 
+// The triangles on which the set of a shape ends: all, or of a solid those of positive area.
+struct Boundary {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<std::uint32_t> names;  // by triangle: that of the shape's mesh; empty if they are the same
+    bool has_inside = false;           // a solid, at a pose that is not singular
+
+    std::uint32_t name(std::uint32_t triangle) const { return names.empty() ? triangle : names[triangle]; }
+};
+Boundary boundary_of(const Shape& shape, const std::shared_ptr<const Mesh>& mesh, const Pose& pose);
+
+// The shape as its surface alone. It must be a MeshShape.
+std::shared_ptr<const MeshShape> surface_shape(const std::shared_ptr<const Shape>& shape);
+
 // A body, and a pair of bodies, as they are when the world is looked at.
 struct TrueBody {
     BodyId id;
     std::shared_ptr<const Mesh> mesh;
+    MeshForm form;  // a surface, too, if the shape is no MeshShape
     Pose pose;
-    oracle::OracleMesh exact;
-    bool is_changed;  // since the last look
+    Boundary boundary;
+    oracle::OracleMesh exact;  // of the boundary
+    bool is_changed;           // since the last look
+
+    oracle::Soup soup() const {
+        return {.vertices = boundary.mesh->vertices(), .triangles = boundary.mesh->triangles(), .pose = pose};
+    }
 };
 struct TruePair {
     BodyPair ids;
-    oracle::Verdict verdict;
-    bool is_changed;  // one of the two is
+    oracle::Verdict verdict;        // of the boundaries; triangles are those of the shapes' meshes
+    bool is_a_inside, is_b_inside;  // whether a part is inside the other body, if the boundaries share no point
+    bool are_surfaces;              // both
+    bool is_changed;                // one of the two is
+
+    bool do_meet() const { return verdict.relation != Relation::apart || is_a_inside || is_b_inside; }
 };
 
 // True unless filters or the switch of the pair leave it out, by the words of the manual and not by the library.
@@ -49,6 +74,9 @@ class Truth {
 
     std::span<const TrueBody> bodies() const noexcept { return bodies_; }  // ascending
     bool knows(BodyId body) const noexcept { return find(numbers_of(body)) != nullptr; }
+
+    // Whether the body's boundary has all triangles of its mesh.
+    bool has_all_triangles(BodyId body) const noexcept { return find(numbers_of(body))->boundary.names.empty(); }
 
     // Pairs whose certified boxes overlap, ascending; all others are apart.
     std::span<const TruePair> pairs() const noexcept { return pairs_; }

@@ -44,7 +44,7 @@ void check_fresh_world(const World& world, const FreshWorld& fresh) {
     }
     for (const BodyPair& pair : world.disabled_pairs()) made.set_pair_enabled(ids.at(pair.a), ids.at(pair.b), false);
     made.set_clearance(world.clearance());
-    made.set_solids(world.are_solids_related());
+    made.set_relations(world.are_relations_listed());
     made.update();
 
     const auto require_pairs = [&](const char* check, std::span<const BodyPair> pairs,

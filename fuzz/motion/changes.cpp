@@ -239,7 +239,7 @@ const std::array change_table = {
     Change{"tests registered again", &Weights::tests, [](Writing& w) { w.make(SetTests{}); }},
     Change{"update that may throw", &Weights::tests, [](Writing& w) { w.make(Update{.fails = true}); }},
     Change{"bad input", &Weights::misuse, bad_call},
-    Change{"solids related", &Weights::solids, [](Writing& w) { w.make(SetSolids{w.random.below(3) != 0}); }},
+    Change{"relations listed", &Weights::solids, [](Writing& w) { w.make(SetRelations{w.random.below(3) != 0}); }},
     Change{"another form", &Weights::solids, other_form},
     Change{"any call", &Weights::any, make_any_call},
     Change{"calm motion", &Weights::calm, calm_motion},

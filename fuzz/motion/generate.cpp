@@ -190,7 +190,7 @@ Script generate(const Profile& profile, std::uint32_t seed, Counters& counters) 
         const Part& part = writing.any_part();
         writing.create(part, first_pose(writing, i));
     }
-    if (profile.weights.solids > 0 && random.below(4) != 0) writing.make(SetSolids{true});
+    if (profile.weights.solids > 0 && random.below(4) != 0) writing.make(SetRelations{true});
     writing.make(Update{});
     // A generator of its own draws when the worlds are made again: all else that a seed stands for stays as it is.
     scenes::Random of_copies(~seed);

@@ -82,8 +82,8 @@ class Run : CaseRun {
         ++counts_.checks["known by its recipe"];
         if (lie_ && relation == Relation::touching) relation = Relation::apart;
         const Posed<Solid> posed_a{a, made.a.pose}, posed_b{b, made.b.pose};
-        require("solid_relation", relation, solid_relation(posed_a, posed_b, memory_), made);
-        require("solid_relation of (b, a)", judge::mirrored(relation), solid_relation(posed_b, posed_a, memory_), made);
+        require("relation", relation, ecods::relation(posed_a, posed_b, memory_), made);
+        require("relation of (b, a)", judge::mirrored(relation), ecods::relation(posed_b, posed_a, memory_), made);
         ++index_;
     }
 

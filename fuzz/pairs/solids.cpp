@@ -20,7 +20,7 @@ class Run : CaseRun {
         const judge::Judged<SolidCase> judged(made);
         take(made, judged.truth);
         if (lie_ && judged.truth.relation() == Relation::touching) {
-            require("solid_relation", Relation::apart, judged.truth.relation(), made, "a lie");
+            require("relation", Relation::apart, judged.truth.relation(), made, "a lie");
         }
         require_answers(made, judged, "every form");
         if (random_.below(4) == 0) require_answers_in_environment(made, judged);
@@ -45,8 +45,8 @@ class Run : CaseRun {
         ++counts_.cases;
         ++counts_.kinds[family_][written(relation)];
         if (lie_ && relation == Relation::touching) relation = Relation::apart;
-        require("solid_relation", relation, solid_relation(posed_a, posed_b, memory_), made, "known by its recipe");
-        require("solid_relation of (b, a)", judge::mirrored(relation), solid_relation(posed_b, posed_a, memory_), made);
+        require("relation", relation, ecods::relation(posed_a, posed_b, memory_), made, "known by its recipe");
+        require("relation of (b, a)", judge::mirrored(relation), ecods::relation(posed_b, posed_a, memory_), made);
         for (const scenes::KnownSide& known : made.points) {
             require("locate", known.side, locate(known.point, posed_a, memory_).side, made, "points located");
         }
@@ -86,7 +86,7 @@ class Run : CaseRun {
         for (const Posed<Solid>& solid : {a, b}) {
             of_surface.b = {solid.what->mesh_ptr(), solid.pose};
             const auto expected = oracle::surface_relation(soup(of_surface.a), soup(of_surface.b));
-            require("surface_relation", expected, surface_relation(surface, solid, memory_), of_surface,
+            require("surface_relation", expected, ecods::relation(surface, solid, memory_), of_surface,
                     "surfaces on corners of a solid");
         }
     }

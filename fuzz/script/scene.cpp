@@ -61,6 +61,15 @@ std::shared_ptr<const Shape> PartWorld::shape_of(const Part& part) {
     return solid;
 }
 
+BodyOptions PartWorld::options_of(BodyId body) const {
+    BodyOptions options{.pose = pose(body), .filter = filter(body), .user_data = user_data(body)};
+    const auto of = shape(body);
+    const auto mesh = mesh_of(*of);
+    const bool is_made = of->kind() == ShapeKind::mesh() && form_of(*of) == MeshForm::surface;
+    (is_made && !refitted_.contains(mesh)) ? void(options.mesh = mesh) : void(options.shape = of);
+    return options;
+}
+
 void PartWorld::set_pose(BodyId body, const Pose& to) {
     const BodyId there = body_at(to);
     there ? World::set_pose(body, pose(there)) : World::set_pose(body, to);
@@ -126,10 +135,7 @@ void ScriptedWorld::make_again() {
     World made(options);
     tests_.add_to(made);
     for (const BodyId body : bodies) {
-        const BodyId id = made.create_body({.shape = world_.shape(body),
-                                            .pose = world_.pose(body),
-                                            .filter = world_.filter(body),
-                                            .user_data = world_.user_data(body)});
+        const BodyId id = made.create_body(world_.options_of(body));
         if (id != body) throw CheckFailed("ids of a world made again", text(body), text(id));
     }
     if (made.next_ids() != coming) {
@@ -138,7 +144,7 @@ void ScriptedWorld::make_again() {
     }
     for (const BodyPair& pair : world_.disabled_pairs()) made.set_pair_enabled(pair.a, pair.b, false);
     made.set_clearance(world_.clearance());
-    made.set_solids(world_.are_solids_related());
+    made.set_relations(world_.are_relations_listed());
     world_.become(std::move(made));
 }
 
@@ -277,8 +283,8 @@ void check_state(const ScriptedWorld& scripted, const Model& model) {
         throw CheckFailed("state", fmt::format("{} bodies", model.bodies.size()),
                           fmt::format("{}", world.statistics().body_count));
     }
-    if (world.are_solids_related() != model.solids) {
-        throw CheckFailed("state", "whether solids are related, as set", "otherwise");
+    if (world.are_relations_listed() != model.relations) {
+        throw CheckFailed("state", "whether relations are listed, as set", "otherwise");
     }
     if (world.clearance() != model.clearance) {
         throw CheckFailed("state", "the clearance that was set", "another");

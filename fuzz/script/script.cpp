@@ -65,7 +65,7 @@ void Model::apply(const Call& call) {
                        if (!c.is_enabled && bodies.contains(c.a) && bodies.contains(c.b)) switched_off.insert(pair);
                    },
                    [&](const SetClearance& c) { clearance = c.clearance; },
-                   [&](const SetSolids& c) { solids = c.are_related; },
+                   [&](const SetRelations& c) { relations = c.are_listed; },
                    // No body is another afterwards.
                    [](const Reserve&) {}, [](const SetTests&) {}, [](const MakeAgain&) {}, [](const BadCall&) {},
                    [](const Manner&) {}, [](const Update&) {}},

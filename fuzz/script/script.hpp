@@ -49,7 +49,7 @@ using SetFilter = calls::SetFilter<InScript>;
 using SetPairEnabled = calls::SetPairEnabled<InScript>;
 using SetUserData = calls::SetUserData<InScript>;
 using SetClearance = calls::SetClearance<InScript>;
-using SetSolids = calls::SetSolids<InScript>;
+using SetRelations = calls::SetRelations<InScript>;
 
 // ---- calls that a trace does not hold. They stand in its notes, which ecods_replay passes over.
 
@@ -143,7 +143,7 @@ struct Model {
     Label next_label = 0;
     std::set<std::pair<Label, Label>> switched_off = {};  // the smaller label first
     std::optional<double> clearance = {};
-    bool solids = false;
+    bool relations = false;
 
     // Nothing happens to bodies that are not there.
     void apply(const Call& call);

@@ -29,7 +29,7 @@ bool is_regular(const ecods::Pose& pose) {
     const ecods::ConvexSolid cube(std::vector<ecods::Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     ecods::QueryMemory memory;
     try {
-        std::ignore = ecods::solid_distance({cube, pose}, {cube, pose}, memory);
+        std::ignore = ecods::depth({cube, pose}, {cube, pose}, memory);
         return true;
     } catch (const ecods::SingularPose&) {
         return false;

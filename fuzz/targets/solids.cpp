@@ -40,7 +40,8 @@ std::shared_ptr<const Mesh> any_mesh(Bytes& bytes) {
 }
 
 bool is_solid(const Mesh& mesh) {
-    return !ecods::oracle::open_edge(mesh) && ecods::oracle::self_intersections(mesh).empty();
+    return !ecods::oracle::open_edge(mesh) && ecods::oracle::self_intersections(mesh).empty() &&
+           !ecods::oracle::bounds_nothing(mesh);
 }
 
 }  // namespace

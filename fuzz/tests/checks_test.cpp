@@ -128,19 +128,19 @@ TEST_F(Checks, PairsOfSolidsOfOtherBodies) {
     for (World* each : {&first, &other}) {
         each->create_body(solid, at(0));
         each->create_body(solid, at(0.5));
-        each->set_solids(true);
+        each->set_relations(true);
         each->update();
     }
     const std::array<World*, 2> worlds{&first, &other};
     EXPECT_EQ(complaint([&] { check_solids(worlds, 1, counters); }), "");
-    EXPECT_EQ(counters["checked: pairs of solids in worlds"], 1U);
+    EXPECT_EQ(counters["checked: relations in worlds"], 1U);
     EXPECT_GT(counters["checked: bodies that contain a point"], 0U);
     EXPECT_EQ(complaint([&] { check_fresh_world(first, {}); }), "");
     other.set_pose(other.bodies()[1], at(1));
     other.update();
-    EXPECT_EQ(complaint([&] { check_solids(worlds, 1, counters); }), "pairs of solids");
-    first.set_solids(false);
-    other.set_solids(false);
+    EXPECT_EQ(complaint([&] { check_solids(worlds, 1, counters); }), "relations");
+    first.set_relations(false);
+    other.set_relations(false);
     for (World* each : worlds) each->update();
     EXPECT_EQ(complaint([&] {
                   for (std::uint32_t seed = 0; seed < 20; ++seed) check_solids(worlds, seed, counters);

@@ -99,7 +99,7 @@ TEST(Generate, EveryMotionThatHurtsHappens) {
                              "changes: room reserved",
                              "motions: within the other",
                              "meshes: hollow cube",
-                             "changes: solids related",
+                             "changes: relations listed",
                              "changes: another form",
                              "changes: any call"}) {
         EXPECT_GT(counters[name], 0U) << name;

@@ -1,8 +1,8 @@
-// An Ask says how a question works: its memory, the witness that it starts from, and where its work is counted. All of
-// it is optional, and no answer depends on any of it.
+// An Ask says how a question works: in which memory, from which witness it starts, and where its work is counted. All
+// of these are optional, and no answer depends on them.
 //
 //     distance(a, b);                     in memory that the library keeps for the thread
-//     distance(a, b, memory);             in memory of the caller's
+//     distance(a, b, memory);             in the caller's memory
 //     distance(a, b, {memory, witness});  starting from what decided the last question about the pair
 //     distance(a, b, counts);             adding the work of this question to counts
 //
@@ -18,13 +18,13 @@
 
 namespace ecods {
 
-// How many pairs of triangles were decided, and by which stage. Counts are exact: the same input gives the same counts.
+// Counts the pairs of triangles that were decided, by the stage that decided them. Equal input gives equal counts.
 struct StageCounts {
     std::uint64_t triangle_tests = 0;      // pairs of triangles
     std::uint64_t filter_passes = 0;       // of these, decided by the bound of the body pair
     std::uint64_t semi_static_passes = 0;  // ... by the bound of the triangle pair
-    std::uint64_t local_passes = 0;        // ... because both bodies have one pose or short coordinates
-    std::uint64_t plane_passes = 0;        // ... by signs that were known of whole planes
+    std::uint64_t local_passes = 0;        // ... because both bodies have the same pose or short coordinates
+    std::uint64_t plane_passes = 0;        // ... by known signs of whole planes
     std::uint64_t one_limb = 0;            // ... by integers of one limb (60 bits)
     std::uint64_t two_limbs = 0;           // ... of two limbs (125 bits)
     std::uint64_t many_limbs = 0;          // ... of more
@@ -33,13 +33,13 @@ struct StageCounts {
     friend bool operator==(const StageCounts&, const StageCounts&) = default;
 };
 
-// A stage's name in reports, and its count.
+// Holds a stage's name in reports, and its count.
 struct Stage {
     const char* name;
     std::uint64_t StageCounts::*count;
 };
 
-// The stages that decide, from the cheapest to the dearest: their counts add up to triangle_tests.
+// Lists the stages that decide, from the cheapest to the dearest. Their counts add up to triangle_tests.
 inline constexpr std::array<Stage, 7> stages{{
     {"filter", &StageCounts::filter_passes},
     {"semi-static", &StageCounts::semi_static_passes},
@@ -50,7 +50,7 @@ inline constexpr std::array<Stage, 7> stages{{
     {"many limbs", &StageCounts::many_limbs},
 }};
 
-// How many pairs of triangles the questions of distance.hpp bounded, from the cheapest stage to the dearest.
+// Counts the pairs of triangles that the questions of distance.hpp bounded, from the cheapest stage to the dearest.
 struct DistanceCounts {
     std::uint64_t triangle_bounds = 0;  // in floats
     std::uint64_t enclosures = 0;       // in doubles with proven bounds
@@ -60,7 +60,7 @@ struct DistanceCounts {
     friend bool operator==(const DistanceCounts&, const DistanceCounts&) = default;
 };
 
-// How many triangles the questions of hit.hpp looked at, from the cheapest stage to the dearest.
+// Counts the triangles that the questions of hit.hpp tested, from the cheapest stage to the dearest.
 struct HitCounts {
     std::uint64_t triangle_tests = 0;  // in floats, eight at once
     std::uint64_t enclosures = 0;      // in doubles with proven bounds
@@ -70,8 +70,7 @@ struct HitCounts {
     friend bool operator==(const HitCounts&, const HitCounts&) = default;
 };
 
-// For how many pairs of triangles the questions of cast.hpp sought the first contact, from the cheapest stage to the
-// dearest.
+// Counts the pairs of triangles whose first contact the questions of cast.hpp computed, from the cheapest stage on.
 struct CastCounts {
     std::uint64_t enclosures = 0;  // in doubles with proven bounds
     std::uint64_t exact = 0;       // in integers
@@ -80,12 +79,12 @@ struct CastCounts {
     friend bool operator==(const CastCounts&, const CastCounts&) = default;
 };
 
-// The work of questions as exact counts.
+// Counts the work of questions. Equal input gives equal counts.
 struct QueryCounts {
     std::uint64_t queries = 0;       // two-body questions about meshes, and lines against one mesh
     std::uint64_t witness_hits = 0;  // of these, decided by the witness
-    std::uint64_t box_tests = 0;     // pairs of tree nodes, up to eight boxes against eight each, or nodes and lines
-    StageCounts stages;              // pairs of triangles that the trees left over
+    std::uint64_t box_tests = 0;     // tests of two tree nodes, each of up to eight boxes, or of a node and a line
+    StageCounts stages;              // pairs of triangles that the trees did not exclude
     DistanceCounts distances;        // of these, the work for distances
     HitCounts hits;                  // the work for lines
     CastCounts casts;                // the work for times
@@ -94,9 +93,9 @@ struct QueryCounts {
     friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
 };
 
-// The memory that questions work in: stacks, rounded vertices, exact vertices. It grows to what the largest question
-// needed and is then used again without allocation. It holds no answer: a question gives the same with a new memory.
-// One question at a time may use it, and none that is asked within that one.
+// Scratch memory of questions: stacks, rounded vertices, exact vertices. It grows to the size that the largest question
+// needed, and is then reused without allocation. It holds no answer: a question gives the same answer with a new
+// memory. Only one question at a time may use it, and no question that is asked within that one.
 class ECODS_API QueryMemory {
   public:
     QueryMemory();
@@ -115,9 +114,9 @@ class ECODS_API QueryMemory {
 };
 
 // A witness remembers what decided the last question about a pair of bodies: two triangles, or a separating axis. The
-// next question tries the witness first, and exactly; it then leaves its own. Whatever a witness holds, from whichever
-// question and bodies, no answer depends on it. A new witness knows nothing. (Bullet, Box3D: manifold or simplex
-// cache.)
+// next question tries the witness first, exactly, and then stores its own witness there. No answer depends on a
+// witness, whatever it holds, and from whichever question and bodies it is. A new witness is empty. (Bullet, Box3D:
+// manifold or simplex cache.)
 struct PairWitness {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
@@ -125,8 +124,8 @@ struct PairWitness {
     std::uint32_t b = none;
 };
 
-// The last argument of every question. It is made of a memory, a witness and counts, any of them in any order; all must
-// outlive the question.
+// The last argument of every question. It is made of a memory, a witness and counts: any of them, in any order. They
+// must outlive it.
 class Ask {
   public:
     Ask() = default;
@@ -136,8 +135,8 @@ class Ask {
     noexcept { (take(given), ...); }
 
     QueryMemory* memory = nullptr;   // null: memory that the library keeps for the calling thread
-    PairWitness* witness = nullptr;  // null: the question starts from nothing
-    QueryCounts* counts = nullptr;   // the work of the question is added here, also when it throws
+    PairWitness* witness = nullptr;  // null: the question starts without a witness
+    QueryCounts* counts = nullptr;   // if not null, the work of the question is added here, even if it throws
 
   private:
     void take(QueryMemory& given) noexcept { memory = &given; }

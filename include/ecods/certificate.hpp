@@ -1,19 +1,20 @@
 // Certificates are answers with a proof that can be checked without this library.
 //
 // A certificate is a text that says what is claimed of which posed meshes, and why it is true: how the trees of both
-// meshes are gone through, and for every pair of their parts a direction along which it is apart. A small program that
-// knows nothing of this library checks it with exact arithmetic; the format and why an accepted certificate is true are
-// in verify/certificates/README.md, two such programs beside it. They read the meshes from files that
-// write_certified_mesh() writes once a shape, and poses from the certificate.
+// meshes are traversed, and for every pair of their parts a direction along which it is apart. A small program that
+// knows nothing of this library checks it with exact arithmetic. verify/certificates/README.md has the format and the
+// proof that an accepted certificate is true; two such programs are beside it. They read the meshes from files that
+// write_certified_mesh() writes, once for each shape, and the poses from the certificate.
 //
-// A certificate names a mesh by a digest that nobody can give to a second mesh (SHA-256). It proves something about
-// your mesh if it names the digest of your mesh: that of certified_mesh_digest(), or of a mesh file that you wrote.
+// A certificate names a mesh by a digest (SHA-256), and nobody can make a second mesh with the same digest. It proves
+// something about your mesh if it names your mesh's digest: that of certified_mesh_digest(), or of your mesh file.
 //
-// The claim is the answer of the plain question (intersection.hpp, distance.hpp, hit.hpp), for all finite poses and
-// zero-area triangles; so it depends on the bits of meshes and poses alone. The proof may be another in another
-// floating-point environment, and is one in each. A pose must be finite (validate(Pose)).
+// The claim is the answer of the plain question (intersection.hpp, distance.hpp, hit.hpp) about surfaces, for all
+// finite poses and zero-area triangles. So it depends on the bits of meshes and poses alone. For a solid the functions
+// throw NotSupported, since a proof is about triangles; ask about surface_of(solid). The proof may differ between
+// floating-point environments, and is valid in each. A pose must be finite (validate(Pose)).
 //
-// Cost: the plain question, and a second walk that costs about as much; text is made when it is asked for.
+// Cost: that of the plain question, and a second walk that costs about as much. Text is made when it is requested.
 //
 // Thread safety: as in intersection.hpp.
 //
@@ -35,8 +36,8 @@
 
 namespace ecods {
 
-// A claim and its proof: a value, cheap to copy. It keeps the shapes that it is about if the Posed kept them, and
-// refers to them otherwise.
+// A claim and its proof, as a value that is cheap to copy. It keeps its shapes alive if the Posed does; if not, they
+// must outlive it.
 class ECODS_API Certificate {
   public:
     enum class Claim : std::uint8_t {
@@ -51,15 +52,15 @@ class ECODS_API Certificate {
     };
 
     Claim claim() const noexcept;
-    // Returns the number in the claims distance, within, beyond and hit; 0 for the others.
+    // Returns the number in the claims distance, within, beyond and hit; 0 for other claims.
     double value() const noexcept;
-    // How many steps the proof has, and how many directions they name. 0 where a claim is its own proof: a crossing, a
-    // distance of 0, what is within a distance, and a hit at parameter 0.
+    // Return the number of steps of the proof, and of the directions that they name; 0 if a claim is its own proof: a
+    // crossing, a distance of 0, what is within a distance, and a hit at parameter 0.
     std::size_t step_count() const noexcept;
     std::size_t axis_count() const noexcept;
 
-    // The text, of format 2. The digests of the meshes are in it, and are made when the first certificate about a shape
-    // is written: about a microsecond a triangle.
+    // Return and write the text, of format 2. The digests of the meshes are in it; a digest is computed when the first
+    // certificate about a shape is written, in about a microsecond a triangle.
     std::string to_string() const;
     void write(std::ostream& out) const;
 
@@ -71,34 +72,35 @@ class ECODS_API Certificate {
     std::shared_ptr<const Content> content_;
 };
 
-// relation(a, b): claims disjoint (the format's word for apart), touching or crossing.
+// Proves the answer of relation(a, b): claims disjoint (the format's word for apart), touching or crossing.
 ECODS_API Certificate certify(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
-// distance(a, b): claims distance.
+// Proves the answer of distance(a, b): claims distance.
 ECODS_API Certificate certify_distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
-// within(a, b, max_distance): claims within or beyond. Throws InvalidArgument if that is negative or NaN.
+// Proves the answer of within(a, b, max_distance): claims within or beyond. Throws InvalidArgument if max_distance is
+// negative or NaN.
 ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
                                      const Ask& ask = {});
 
-// first_hit(segment, body): claims hit or miss. Throws InvalidArgument.
+// Proves the answer of first_hit(segment, body): claims hit or miss. Throws InvalidArgument.
 ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask = {});
 
 // Proves a world's lists (World::certify): which bodies there are, which pairs filters and switches leave, that the
-// listed pairs of the last update collide or are close, and that no other unfiltered pair does or is. A value, cheap to
-// copy, which keeps the shapes that it is about. World::certify throws NotUpdated if a call since the last update
-// changed the world or the clearance; NotSupported, with the first body of a kind of the caller's own. Where a test of
-// the caller's own replaces that of meshes, the proof is of what the meshes do. Pairs that filters or
-// set_pair_enabled() leave out are not judged; the checkers say how many they are. Cost: certify(), and with a
-// clearance certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
+// listed pairs of the last update collide or are close, and that no other of these pairs does or is. It is a value that
+// is cheap to copy, and keeps its shapes alive. World::certify throws NotUpdated if a call since the last update
+// changed the world or the clearance; NotSupported if a body is a solid or of a kind of the caller's own. If a
+// caller's test replaces that of meshes, the proof is of what the meshes do. Pairs that filters or set_pair_enabled()
+// exclude are not judged; the checkers report how many they are. Cost: certify(), and with a clearance
+// certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
 class ECODS_API WorldCertificate {
   public:
-    // How many pairs collide, how many are close, colliding ones included, and how many were proven to be neither.
+    // Return the number of pairs that collide, that are close (colliding ones included), and that are proven neither.
     std::size_t colliding_count() const noexcept;
     std::size_t close_count() const noexcept;
     std::size_t apart_count() const noexcept;
 
-    // Each shape once, in the order of the bodies: the checkers need the mesh of each.
+    // Returns each shape once, in the order of the bodies. The checkers need the mesh of each.
     std::vector<std::shared_ptr<const MeshShape>> shapes() const;
 
     std::string to_string() const;
@@ -112,13 +114,13 @@ class ECODS_API WorldCertificate {
     std::shared_ptr<const Content> content_;
 };
 
-// Writes the canonical text of a mesh (verify/certificates/README.md), which is what certificates are about: vertices,
-// triangles and the tree, with exact numbers. The text is the same bytes on every machine. A shape made by refit() may
-// have another tree than one made of the same mesh, and then another text.
+// Writes the canonical text of a mesh (verify/certificates/README.md), about which certificates speak: vertices,
+// triangles and the tree, with exact numbers. The text has the same bytes on every machine. A shape made by refit() may
+// have another tree than a new shape of the same mesh, and then another text.
 ECODS_API void write_certified_mesh(std::ostream& out, const MeshShape& shape);
 
-// The name of that text in certificates: its SHA-256 as 64 lower-case hexadecimal digits, as sha256sum prints it of
-// the file. Cost: about a microsecond a triangle the first time, then that of a copy.
+// Returns the name of this text in certificates: its SHA-256 as 64 lower-case hexadecimal digits, as sha256sum prints
+// it of the file. Cost: about a microsecond a triangle the first time, then that of a copy.
 ECODS_API std::string certified_mesh_digest(const MeshShape& shape);
 
 }  // namespace ecods

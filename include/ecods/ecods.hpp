@@ -1,13 +1,13 @@
-// Everything. The headers are the manual; read them in the order below.
+// Includes everything. The headers are the manual; read them in the order below.
 //
 // These ten calls are what nine of ten users need; verify/examples/how_do_i has each in a program of a few lines.
 //
 //     Mesh::create(vertices, triangles)                   a triangle mesh                         mesh.hpp
-//     MeshShape(mesh), Solid(mesh), ConvexSolid(points)   a shape, with its tree                  shape.hpp
+//     MeshShape(mesh), Solid(mesh), ConvexSolid(points)   a surface, a solid, a convex solid      shape.hpp
 //     intersects({shape, pose}, {shape, pose})            do two bodies touch?                    intersection.hpp
 //     closest({shape, pose}, {shape, pose})               how far apart, and where?               distance.hpp
 //     first_hit(ray, {shape, pose})                       what does a ray hit?                    hit.hpp
-//     cast({shape, pose}, motion, {shape, pose})          when does a body on the move arrive?    cast.hpp
+//     cast({shape, pose}, motion, {shape, pose})          when does a moving body arrive?         cast.hpp
 //     depth({solid, pose}, {solid, pose})                 how deep are they in each other?        solid.hpp
 //     world.create_body(mesh, pose), world.set_pose(...)  many bodies                             world.hpp
 //     world.update(); world.colliding_pairs(), began()    which of them touch, since when?        world.hpp
@@ -19,7 +19,7 @@
 //     ask for a point?                                      locate (of a solid); a mesh of one triangle {i, i, i}
 //     find penetration, separation?                         depth, depth_bounds; within, distance_bounds
 //     get contact points and normals?                       intersections, close_features
-//     find what is inside what?                             solid_relation; World::solid_pairs, bodies_containing
+//     find what is inside what?                             relation; World::relations, bodies_containing
 //     ignore pairs?                                         CollisionFilter, World::set_pair_enabled
 //     keep a margin around bodies?                          World::set_clearance, close_pairs
 //     ask again quickly about a pair that moved little?     PairWitness (ask.hpp)
@@ -29,8 +29,8 @@
 //     prove an answer to somebody else?                     certify (certificate.hpp)
 //     catch errors?                                         Error, and 14 classes below it (error.hpp)
 //
-// Words. *Overlap* is said of boxes; *intersect* of sets that share a point, touching included; *touch* and *cross* of
-// how they do; *collide* of the pairs in a world's lists; *apart* of sets that share no point.
+// Words. Boxes *overlap*. Two sets *intersect* if they share a point; they then *touch* or *cross*. Otherwise they are
+// *apart*. Pairs in a world's lists *collide*.
 #pragma once
 
 // clang-format off

@@ -1,9 +1,9 @@
-// Every public header needs this: C++20, the library's version, and which names a shared library shows.
+// Defines what every public header needs: C++20, the library's version, and which names a shared library exports.
 #pragma once
 
 #if __cplusplus < 202002L
 #error "ECoDS needs C++20: compile with -std=c++20 or a later standard."
-// Includes no file: the compiler stops here, in place of listing what an older standard does not know.
+// Includes a file that does not exist, to stop the compiler here, before it lists what an older standard does not know.
 #define ECODS_STOP "the error above"
 #include ECODS_STOP
 #endif

@@ -1,7 +1,7 @@
-// Names of things that live in a World. This header stands alone.
+// Ids name things that live in a World. This header stands alone.
 //
-// An id is opaque, small and passed by value. A zeroed id is null and names nothing. Ids are what a
-// trace of calls records, so they carry no pointers. Ids do not keep anything alive.
+// An id is opaque, small and passed by value. An id of zeros is null and names nothing. Ids contain no pointers, so
+// traces can record them. An id keeps nothing alive.
 //
 // Example: verify/examples/how_do_i, ignore_pairs().
 #pragma once
@@ -15,22 +15,20 @@
 namespace ecods {
 
 // Names one body of one World, from its creation to its destruction. The slot of a destroyed body is used again with a
-// new generation, so an id that outlives its body is recognised (StaleBody) and never names another body: a slot whose
-// generations are used up is never used again (after 65,536 bodies; it keeps its memory). An id that another world gave
-// is recognised as well, by the number of its world, of which there are 65,535: worlds are numbered as they are made,
-// and then from 1 again.
+// new generation. So an id that outlives its body is recognised (StaleBody) and never names another body. A slot whose
+// generations are used up, after 65,536 bodies, is never used again; it keeps its memory. An id of another world is
+// recognised by the number of its world. There are 65,535 numbers: worlds are numbered in order, then from 1 again.
 //
-// The number of the world is no part of what a program writes down: it reaches no trace, no digest and no message. An
-// id that is made of slot and generation alone, as they were written, has world 0 and is taken for an id of the world
-// that it is given to.
+// The number of the world is not written down: it is in no trace, no digest and no message. An id that a program makes
+// of slot and generation alone has world 0, and counts as an id of the world that it is given to.
 struct BodyId {
     std::uint32_t slot = 0;        // 1-based; 0 is null
-    std::uint16_t generation = 0;  // how often the slot was used before
+    std::uint16_t generation = 0;  // number of earlier bodies in the slot
     std::uint16_t world = 0;
 
     constexpr explicit operator bool() const noexcept { return slot != 0; }
 
-    // By slot, then by generation, which is the order in which pairs are listed; then by world.
+    // Orders ids by slot, then by generation (the order in which pairs are listed), then by world.
     constexpr std::uint64_t rank() const noexcept {
         return std::uint64_t{slot} << 32 | std::uint32_t{generation} << 16 | world;
     }
@@ -38,7 +36,7 @@ struct BodyId {
     friend constexpr auto operator<=>(const BodyId& a, const BodyId& b) { return a.rank() <=> b.rank(); }
 };
 
-// Two bodies, the smaller id first. Lists of pairs are ascending and hold a pair once.
+// Two bodies, with the smaller id first. Lists of pairs are ascending and contain each pair once.
 struct BodyPair {
     BodyId a;
     BodyId b;
@@ -46,7 +44,7 @@ struct BodyPair {
     friend constexpr auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
-// One triangle of each of two meshes, by their indices: `a` in the first mesh, `b` in the second.
+// One triangle of each of two meshes, by index: `a` in the first mesh, `b` in the second.
 struct TrianglePair {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -54,8 +52,8 @@ struct TrianglePair {
     friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 
-// Questions that a test of two bodies, or a shape (hits), may leave unanswered (shape.hpp); and two that no test is
-// asked about: `intersects`, which every test answers, and `certify`, which meshes alone answer (NotSupported).
+// Lists questions that a two-body test, or a shape (hits), may leave unanswered (shape.hpp). The last two are never put
+// to a test, and occur in NotSupported: every test answers `intersects`, and only meshes answer `certify`.
 enum class Question : std::uint8_t {
     relation,
     intersecting_triangles,
@@ -71,8 +69,8 @@ enum class Question : std::uint8_t {
     certify,
 };
 
-// The kind of a shape, by which a World picks the test for two bodies. Kind 0 is the triangle mesh; all
-// other values are the caller's.
+// The kind of a shape, by which a World selects the test for two bodies. Kind 0 is the triangle mesh; the caller
+// defines all other values.
 struct ShapeKind {
     std::uint32_t value = 0;
 
@@ -80,10 +78,10 @@ struct ShapeKind {
     friend constexpr auto operator<=>(const ShapeKind&, const ShapeKind&) = default;
 };
 
-// Says which bodies are meant to meet at all. A body is in groups, and its mask names the groups that it meets. Two
-// bodies may meet if each is in a group that the other's mask names. By default a body is in the first group and meets
-// all: everything may meet. A body whose mask is zero meets nothing. (Bullet: group and mask; Box3D: category and mask
-// bits.)
+// Says which bodies may meet. A body is in groups, and its mask names the groups that it meets. Two bodies may meet if
+// each is in a group that the other's mask names. By default a body is in the first group and its mask names all
+// groups, so all bodies may meet. A body whose mask is zero meets nothing. (Bullet: group and mask; Box3D: category and
+// mask bits.)
 struct CollisionFilter {
     std::uint64_t groups = 1;
     std::uint64_t mask = ~std::uint64_t{0};
@@ -95,7 +93,7 @@ struct CollisionFilter {
     return (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0;
 }
 
-// Write ids as traces and messages have them: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh" or "kind 7".
+// Write ids in the form of traces and messages: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh", "kind 7".
 ECODS_API std::ostream& operator<<(std::ostream& out, BodyId body);
 ECODS_API std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
 ECODS_API std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);

@@ -1,14 +1,13 @@
-// Which of the processor's instructions the library uses.
+// The instruction set says which of the processor's instructions the library uses.
 //
-// Its hot functions are compiled several times, for narrow and for wide registers, and the widest version that the
-// processor and the operating system support is used. Nobody has to choose: no answer, list, event, digest, count or
-// box depends on it, since versions differ in the width of their registers only. Limit it to measure, to compare, or
-// where wide instructions slow down other work of the processor.
+// The library's hot functions are compiled several times, for narrow and for wide registers. It uses the widest version
+// that the processor and the operating system support. Nobody has to choose: versions differ only in the width of their
+// registers, so no answer, list, event, digest, count or box depends on the choice. Limit the set to measure, to
+// compare, or if wide instructions slow down other work of the processor.
 //
-// It is one setting for all of a process: all threads, all worlds, all queries. There is no environment variable for
-// it.
+// It is one setting for a whole process: all threads, all worlds, all queries. There is no environment variable for it.
 //
-// Thread safety: all of these may be called from any thread, at any time once main() has begun.
+// Thread safety: all functions may be called from any thread, at any time once main() has begun.
 //
 // Example: verify/examples/how_do_i, limit_instructions().
 #pragma once
@@ -20,20 +19,20 @@
 
 namespace ecods {
 
-// From narrow to wide. Baseline is what the compiler was set to compile for: what every x86-64 has, unless the flags
-// of the build say otherwise. On other processors there is nothing else. avx512 is its parts F, BW, DQ and VL, and
-// BMI2: of a processor that lacks one of them, avx2 is used.
+// Lists instruction sets from narrow to wide. baseline is what the compiler compiles for: what every x86-64 has, unless
+// build flags say otherwise; other processors have nothing else. avx512 needs the parts F, BW, DQ and VL, and BMI2: for
+// a processor that lacks one of them, avx2 is used.
 enum class InstructionSet : std::uint8_t { baseline, avx2, avx512 };
 
-// The widest that this processor and the operating system support, and that the library has a version for.
+// Returns the widest set that this processor and the operating system support, and for which the library has a version.
 ECODS_API InstructionSet supported_instruction_set() noexcept;
 
-// The one in use: the supported one, unless it was limited.
+// Returns the set in use: the supported one, unless it was limited.
 ECODS_API InstructionSet instruction_set() noexcept;
 
-// From now on, nothing wider than `widest` is used. Where the processor does not support `widest` either, the widest
-// that it does support is used: limit_instruction_set(avx512) removes the limit. Calls that are under way in other
-// threads may end as they began.
+// Uses nothing wider than `widest` from now on. If the processor does not support `widest`, the widest set that it
+// supports is used; so limit_instruction_set(avx512) removes the limit. Calls that run in other threads may end as they
+// began.
 ECODS_API void limit_instruction_set(InstructionSet widest) noexcept;
 
 ECODS_API std::ostream& operator<<(std::ostream& out, InstructionSet set);  // "baseline", "avx2", "avx512"

@@ -1,4 +1,4 @@
-// Poses say where a body is; Posed is a thing at a pose, Moving a thing on its way from one pose to another.
+// A Pose says where a body is. Posed is a thing at a pose, and Moving a thing that moves from one pose to another.
 //
 // Example: verify/examples/how_do_i, pose_a_body().
 #pragma once
@@ -15,21 +15,20 @@
 
 namespace ecods {
 
-// Points, differences and sizes, in the unit that the caller chose for lengths. No unit is preferred: an answer
-// for coordinates times a power of two is the same answer.
+// Points, differences and sizes, in a unit of length that the caller chooses. No unit is preferred: if all coordinates
+// are multiplied by a power of two, answers stay the same.
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
 // The map v -> R v + t (FCL, Coal: Transform3; Parry: Isometry). A body is the set of the real points R v + t for the
-// points v of its shape, nothing rounded. Any finite R is allowed: it may scale, shear, mirror or be singular, and the
-// image is what counts. A rotation written in doubles is in general not exactly orthogonal; the pose is taken as it is
-// written.
+// points v of its shape; nothing is rounded. Any finite R is allowed: it may scale, shear, mirror or be singular, and
+// the image is what counts. A rotation in doubles is rarely exactly orthogonal; the pose is taken as given.
 struct Pose {
     Mat3 R = Mat3::Identity();
     Vec3 t = Vec3::Zero();
 
-    // Takes q as given, not normalised: R is what Eigen's toRotationMatrix() computes from it, sums and products of
-    // its coefficients, each rounded. That R is then the pose, like any other R.
+    // Makes a pose from q, which is not normalised. R is the matrix that Eigen's toRotationMatrix() computes: sums and
+    // products of q's coefficients, each rounded. That R is then used exactly, like any other R.
     static Pose from_quaternion(const Eigen::Quaterniond& q, const Vec3& t) {
         return from_quaternion(q.w(), q.x(), q.y(), q.z(), t);
     }
@@ -44,24 +43,24 @@ struct Pose {
     friend bool operator==(const Pose& a, const Pose& b) { return a.R == b.R && a.t == b.t; }
 
   private:
-    // Numbers, not Eigen's types of 32 bytes and more: how those are aligned depends on how the caller is compiled.
+    // Takes numbers instead of Eigen's quaternion, whose alignment depends on how the caller is compiled.
     ECODS_API static Pose from_quaternion(double w, double x, double y, double z, const Vec3& t);
     ECODS_API static void require_last_row(double x, double y, double z, double w);
 };
 
-// Library and caller must agree on the layout whatever instruction set each is compiled for.
+// Library and caller must agree on the layout, whatever instruction set each of them is compiled for.
 static_assert(alignof(Pose) == alignof(double) && sizeof(Pose) == 12 * sizeof(double));
 
 // Throws InvalidArgument for the first entry, row by row of [R t], that is NaN or infinite.
 ECODS_API void validate(const Pose& pose);
 
-// Throws InvalidArgument: a pointer to a thing to be posed is null.
+// Throws InvalidArgument, because a pointer to a thing to be posed is null.
 [[noreturn]] ECODS_API void refuse_null_thing();
 
 // A thing at a pose: the set of the real points R v + t for the points v of `what`.
 //
-// Made of a reference, it refers to the thing, which must outlive it. Made of a shared pointer, it keeps the thing. A
-// Posed may be returned, stored and copied; the pose is a copy.
+// If made from a reference, it refers to the thing, which must outlive it. If made from a shared pointer, it keeps the
+// thing alive. A Posed may be returned, stored and copied; it has its own copy of the pose.
 template <class T>
 struct Posed {
     Posed(const T& thing, const Pose& at) : what(&thing), pose(at) {}
@@ -73,7 +72,7 @@ struct Posed {
         if (what == nullptr) refuse_null_thing();
     }
 
-    // A posed thing of a derived class is one of its base: a solid is a mesh's shape.
+    // Converts a posed thing of a derived class to its base class: a Solid is a MeshShape.
     template <std::derived_from<T> Derived>
     Posed(const Posed<Derived>& posed) : what(posed.what), pose(posed.pose), kept(posed.kept) {}
 
@@ -85,8 +84,9 @@ struct Posed {
 template <class T>
 Posed(std::shared_ptr<T>, const Pose&) -> Posed<std::remove_const_t<T>>;
 
-// A thing on its way: each point v of `what` goes from R v + t of one pose to that of the other, on a straight line and
-// at constant speed, in the time from 0 to 1. The poses are copies; the thing is referred to or kept as by Posed.
+// A moving thing: in the time from 0 to 1, each point v of `what` moves from R v + t of one pose to R v + t of the
+// other, on a straight line and at constant speed. It has copies of the poses, and refers to or keeps the thing as
+// Posed does.
 template <class T>
 struct Moving {
     Moving(const T& thing, const Pose& start, const Pose& end) : what(&thing), from(start), to(end) {}

@@ -1,5 +1,5 @@
-// Boxes, segments, rays and balls, and whether they overlap. All answers are exact for the real numbers that the
-// doubles are, in any rounding mode.
+// Defines boxes, segments, rays and balls, and whether they overlap. All answers are exact for the real numbers that
+// the doubles represent, in any rounding mode.
 //
 // Example: verify/examples/how_do_i, overlap_of_boxes().
 #pragma once
@@ -12,8 +12,8 @@
 
 namespace ecods {
 
-// An axis-aligned box: the points p with min <= p <= max. Zero extents are allowed; infinite ones are, too, where a
-// bound would not be finite. A box never holds a NaN and never has min above max.
+// An axis-aligned box: the points p with min <= p <= max. Extents may be zero; ends may be infinite, for bounds that
+// are not finite. No number may be NaN, and min may not exceed max.
 struct Aabb {
     Vec3 min = Vec3::Zero();
     Vec3 max = Vec3::Zero();
@@ -21,29 +21,29 @@ struct Aabb {
     friend bool operator==(const Aabb& a, const Aabb& b) { return a.min == b.min && a.max == b.max; }
 };
 
-// A segment: the points between two ends, ends included. Ends are finite and may be one point.
+// A segment: the points between two ends, ends included. The ends must be finite, and may be equal.
 struct Segment {
     Vec3 a = Vec3::Zero();
     Vec3 b = Vec3::Zero();
 };
 
-// The points origin + s * direction for all real s from 0 to `max_parameter`, both included. The direction is not zero,
-// and of any length: parameters are in units of the direction as given. A ray has no end by default.
+// The points origin + s * direction for all real s from 0 to `max_parameter`, both included. The direction must not be
+// zero, and may have any length: parameters are multiples of the direction as given. By default, a ray has no end.
 struct Ray {
     Vec3 origin = Vec3::Zero();
     Vec3 direction = Vec3::UnitX();
     double max_parameter = std::numeric_limits<double>::infinity();
 };
 
-// A ball: the points whose distance from the center is at most the radius. The center is finite. A radius of zero is
-// one point; an infinite radius covers everything, points at infinity included.
+// A ball: the points whose distance from the center is at most the radius. The center must be finite. With radius zero
+// it is one point; with an infinite radius it contains everything, points at infinity included.
 struct Ball {
     Vec3 center = Vec3::Zero();
     double radius = 0;
 };
 
-// True if the closed sets share a point. Sides of a box may be infinite. An argument that validate() refuses makes the
-// answer meaningless.
+// True if the closed sets share a point. Ends of a box may be infinite. If validate() refuses an argument, the answer
+// has no meaning.
 [[nodiscard]] ECODS_API bool overlap(const Aabb& a, const Aabb& b) noexcept;
 [[nodiscard]] ECODS_API bool overlap(const Segment& segment, const Aabb& box) noexcept;
 [[nodiscard]] ECODS_API bool overlap(const Ball& ball, const Aabb& box) noexcept;
@@ -54,10 +54,10 @@ struct Ball {
 // Returns the smallest box that contains both.
 [[nodiscard]] ECODS_API Aabb merge(const Aabb& a, const Aabb& b) noexcept;
 
-// Returns a box that contains the exact posed mesh, and exceeds the tightest one on each side by no more than the
-// largest coordinate of 21 u (|R| v_max + |t|), where u = 2^-53 and v_max are the largest coordinates in magnitude; by
-// one double where these are subnormal. An end is infinite only beyond the largest double, whatever the other ends are.
-// Cost: one pass over the vertices in use.
+// Returns a box that contains the exact posed mesh. Each side exceeds the tightest box by no more than the largest
+// coordinate of 21 u (|R| v_max + |t|), where u = 2^-53 and v_max has the largest magnitudes of the mesh's coordinates;
+// or by one double, if these are subnormal. An end is infinite only if it is beyond the largest double, whatever the
+// other ends are. Cost: one pass over the vertices in use.
 [[nodiscard]] ECODS_API Aabb box_of(const Mesh& mesh, const Pose& pose);
 
 // Throw InvalidArgument: for a box with a NaN, or with min above max on an axis; for an end of a segment that is not

@@ -1,4 +1,4 @@
-// Shapes, which bodies are made of: triangle meshes, solids, convex solids, and shapes of the caller's own.
+// Shapes are what bodies are made of: triangle meshes, solids, convex solids, and shapes of the caller's own.
 //
 // Example: verify/examples/how_do_i, make_a_mesh().
 #pragma once
@@ -19,39 +19,42 @@
 
 namespace ecods {
 
-// The base of all shapes (FCL, Coal: CollisionGeometry). A shape is immutable while a body has it: a changed shape is a
-// new one, given to the body by World::set_shape.
+// The base class of all shapes (FCL, Coal: CollisionGeometry). A shape must not change while a body has it. To change a
+// body's shape, give it a new one by World::set_shape.
 class ECODS_API Shape {
   public:
     virtual ~Shape() = default;
 
     virtual ShapeKind kind() const noexcept = 0;
 
-    // Returns a box that contains every point of the shape at the pose. If a point lies outside, contacts may be lost.
-    // The call that asked throws InvalidArgument if min > max or for a NaN.
+    // Returns a box that contains every point of the shape at the pose. If a point is outside, contacts may be lost. If
+    // min > max or a number is NaN, the call of the library that uses the box throws InvalidArgument.
     virtual Aabb box(const Pose& pose) const = 0;
 
-    // Returns a hash of the shape's content, for World::digest. Equal shapes must give equal values.
+    // Returns a hash of the shape's content, for World::digest. Equal shapes must return equal hashes.
     virtual std::uint64_t digest() const noexcept = 0;
 
-    // Optional: the hits of a segment or ray with the shape. A shape that says Question::hits by answers() overrides
-    // both forms of all_hits; the hits are ascending by parameter, then by triangle, and `rank` is not read. first_hit
-    // is the first of them, which is what the default gives. Without, they throw NotSupported, and so does a World that
-    // is asked for hits, before any body is asked.
-    virtual bool answers(Question question) const noexcept;  // the default: none
+    // Optional: the hits of a segment or ray with the shape. A shape for which answers(Question::hits) is true
+    // overrides both forms of all_hits. These return hits ascending by parameter, then by triangle; `rank` is ignored.
+    // first_hit returns the first of them; the default takes it from all_hits. For other shapes all four throw
+    // NotSupported, and so does a World that is asked for hits, before it asks any body.
+    virtual bool answers(Question question) const noexcept;  // the default answers none
     virtual std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const;
     virtual std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const;
     virtual std::optional<Hit> first_hit(const Segment& segment, const Pose& pose, const Ask& ask) const;
     virtual std::optional<Hit> first_hit(const Ray& ray, const Pose& pose, const Ask& ask) const;
 };
 
-// A triangle mesh with its tree of boxes (FCL, Coal: BVHModel; Parry: TriMesh). Trees and other data are made once,
-// when a question first needs them, in any thread; bodies of one mesh should share one MeshShape.
-// (World::create_body(mesh, pose) sees to that.) The body is the surface: the closed triangles.
+// The form of a mesh's shape: its surface, which is the closed triangles; the solid that they bound; or a convex solid.
+enum class MeshForm : std::uint8_t { surface, solid, convex };
+
+// A triangle mesh with its tree of boxes (FCL, Coal: BVHModel; Parry: TriMesh). The body is the surface: the closed
+// triangles. The tree and other data are made once, when a question first needs them, in any thread. So bodies with the
+// same mesh should share one MeshShape; World::create_body(mesh, pose) does that.
 //
-// Cost: the box of a pose a constant, after about 0.1 microseconds a vertex the first time (of meshes beyond 2^900, or
-// below 2^-900, a pass over the vertices); the tree about a microsecond a triangle (n log n), when a question first
-// needs it. Casts of bodies beyond 2^200, or below 2^-200, make a mesh of moderate size, once, with its tree.
+// Cost: box() is constant, after about 0.1 microseconds a vertex the first time (for meshes beyond 2^900, or below
+// 2^-900, a pass over the vertices); the tree takes about a microsecond a triangle (n log n). Casts of bodies beyond
+// 2^200, or below 2^-200, make a mesh of moderate size, once, with its tree.
 class ECODS_API MeshShape : public Shape {
   public:
     // Throws InvalidArgument for a null mesh.
@@ -59,15 +62,16 @@ class ECODS_API MeshShape : public Shape {
     ~MeshShape() override;
 
     ShapeKind kind() const noexcept override { return ShapeKind::mesh(); }
+    MeshForm form() const noexcept { return form_; }
 
-    // Contains the exact body. Each side exceeds it by at most 1/8 of the mesh's half diagonal, and is within the box
-    // of its oriented box; round meshes by less than 1.6 % of the radius. Tight to rounding for meshes of up to 32
-    // vertices.
+    // Returns a box that contains the exact body. Each side exceeds the body by at most 1/8 of the mesh's half diagonal
+    // (for round meshes, by less than 1.6 % of the radius), and is within the box of the mesh's oriented box. Up to 32
+    // vertices, the box is tight to rounding.
     Aabb box(const Pose& pose) const override;
 
     std::uint64_t digest() const noexcept override { return mesh_->digest(); }
 
-    // These answer as hit.hpp says.
+    // Answer as hit.hpp says.
     bool answers(Question question) const noexcept override { return question == Question::hits; }
     std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const override;
     std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const override;
@@ -77,41 +81,47 @@ class ECODS_API MeshShape : public Shape {
     const Mesh& mesh() const noexcept { return *mesh_; }
     const std::shared_ptr<const Mesh>& mesh_ptr() const noexcept { return mesh_; }
 
-    // Returns the memory of the tree, beside vertices and triangles. Makes the tree if there is none yet.
+    // Returns the memory of the tree, without vertices and triangles. Makes the tree if there is none yet.
     std::size_t tree_bytes() const;
 
   private:
     friend struct MeshShapeAccess;
+    friend class Solid;
 
     struct ECODS_HIDDEN Parts;
+    ECODS_HIDDEN MeshShape(std::shared_ptr<const Mesh> mesh, MeshForm form);
+    ECODS_HIDDEN MeshShape(std::shared_ptr<const Mesh> mesh, std::shared_ptr<Parts> parts);
+
     std::shared_ptr<const Mesh> mesh_;
-    std::unique_ptr<Parts> parts_;
+    std::shared_ptr<Parts> parts_;  // also those of the surface of a solid
+    MeshForm form_ = MeshForm::surface;
 };
 
-// Returns the shape of a deforming mesh: the same triangles, other vertices. Reuses the structure of the tree of
-// `shape` with new boxes; builds a new tree if the boxes' surfaces have grown to 1.5 times those at the last build.
-// Give it to a body by World::set_shape. Answers are exact either way. Throws InvalidMesh, also if there are too few
-// vertices. Cost: some passes over the triangles.
+// Returns a shape with the same triangles and other vertices, for a mesh that deforms; give it to a body by
+// World::set_shape. It reuses the structure of the tree of `shape` with new boxes. If the surfaces of the boxes have
+// grown to 1.5 times those at the last build, it builds a new tree. Answers are exact either way. Throws InvalidMesh,
+// also if there are too few vertices. Cost: some passes over the triangles.
 [[nodiscard]] ECODS_API std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
 
-// A mesh that bounds a solid. It is a MeshShape, so a World takes it for a body, and every question about two meshes
-// takes it, of the surface; solid.hpp has the questions about the whole set.
+// A mesh that bounds a solid: the closed set of the points inside and on the surface. (The boxes and convex shapes of
+// FCL, Coal, Bullet and Jolt are such sets.) Every question, and a World, takes the whole set, so a body inside a solid
+// meets it, at distance 0. surface_of(solid) is the surface alone.
 //
 // A mesh bounds a solid if its triangles of positive area (zero-area ones bound nothing and are left out)
 //
-//   - are closed: on every line, all but finitely many points lie on an even number of their edges. So a long edge may
-//     face two halves, and an edge may be one of four triangles; and
-//   - are free of self-intersection: no two of them share a segment or more, except along a side of both. Contacts at
-//     isolated points (a vertex on a face, an edge across an edge) are harmless.
+//  - are closed: on every line, all but finitely many points lie on an even number of their edges. So a long edge may
+//    face two halves, and an edge may be one of four triangles; and
+//  - are free of self-intersection: no two of them share a segment or more, except along a side of both. Contacts at
+//    isolated points (a vertex on a face, an edge across an edge) are harmless.
 //
-// Both are decided exactly for the mesh's own coordinates, corners at equal coordinates being one vertex (-0 is 0).
-// The solid is the closure of the points of which a ray crosses the surface an odd number of times: how triangles are
-// oriented does not matter, and cavities and several shells are allowed. A mesh of zero-area triangles alone bounds the
-// empty set.
+// Both are decided exactly for the mesh's own coordinates. Corners with equal coordinates are one vertex (-0 equals 0).
+// The solid is the closure of the points from which a ray crosses the surface an odd number of times. So the
+// orientation of triangles does not matter, and cavities and several shells are allowed. If all triangles have zero
+// area, the mesh bounds nothing, and is no solid.
 //
-// Cost: that of check_solid at once; what solid_relation needs beside it, some passes over the triangles, when that is
-// asked first. Memory: that of a MeshShape, and about 30 bytes a triangle. If corners are not named by one index each,
-// or triangles have zero area, or a vertex lies inside an edge, there is a second mesh inside which is without these.
+// Cost: that of check_solid at once; some passes over the triangles at the first relation(). Memory: that of a
+// MeshShape, and about 30 bytes a triangle. A second mesh is stored inside if corners with equal coordinates have
+// different indices, triangles have zero area, or a vertex lies inside an edge: this mesh has none of these.
 class ECODS_API Solid : public MeshShape {
   public:
     // Throws InvalidArgument for a null mesh, or NotSolid.
@@ -120,31 +130,39 @@ class ECODS_API Solid : public MeshShape {
 
   private:
     friend struct SolidAccess;
+    friend class ConvexSolid;
+
+    ECODS_HIDDEN Solid(std::shared_ptr<const Mesh> mesh, MeshForm form);
 
     struct ECODS_HIDDEN Parts;
     std::unique_ptr<Parts> solid_parts_;
 };
 
-// Throws NotSolid unless the mesh bounds a solid; the error names an open edge or, if the mesh is closed, two triangles
-// that intersect. The first of several defects is named: edges by triangle and corner, of pairs of triangles the
-// least. Cost: about that of the mesh's tree, which it makes, and that of sorting vertices and edges; of a surface that
-// is seen as a whole from the middle of its corners, as that of nearly every convex body is, no tree is made.
+// Returns the surface of the solid as a shape of its own: all triangles of its mesh. It shares the solid's mesh and
+// tree, and is the same object each time.
+[[nodiscard]] ECODS_API std::shared_ptr<const MeshShape> surface_of(const Solid& solid);
+
+// Throws NotSolid unless the mesh bounds a solid. The error names an open edge or, if the mesh is closed, two triangles
+// that intersect. If there are several defects, it names the first: edges by triangle and corner, or the least pair of
+// triangles. Cost: about that of the mesh's tree, which it makes, and of sorting vertices and edges. No tree is made if
+// all of the surface is visible from the middle of its corners, as that of nearly every convex body is.
 ECODS_API void check_solid(const Mesh& mesh);
 
-// Returns every pair of triangles, the lesser index first, that share a segment or more which is not a side of both:
-// pairs that cross, that have a side in the other's face, that overlap in one plane, folded over a common edge or one
-// on the other. Ascending. The mesh need not be closed. Zero-area triangles are left out.
+// Returns every pair of triangles that share a segment or more which is not a side of both, ascending, with the lesser
+// index first. Such triangles cross, or a side of one is in the other's face, or they overlap in one plane: folded over
+// a common edge, or one on the other. The mesh need not be closed. Zero-area triangles are left out.
 [[nodiscard]] ECODS_API std::vector<TrianglePair> self_intersections(const Mesh& mesh);
 
-// A mesh that bounds a convex solid. It is a Solid, so every question about solids and meshes takes it.
+// A mesh that bounds a convex solid. Distances of two convex solids are found by a search of their own, faster than
+// that of their triangles, and have depths (solid.hpp).
 //
 // Cost: that of Solid, and an exact sign for each edge. Memory: that of a Solid, about 200 bytes a vertex of the set,
 // and 4 bytes a vertex of the mesh.
 class ECODS_API ConvexSolid final : public Solid {
   public:
-    // Throws InvalidArgument for a null mesh, or NotSolid, which names a dent where the mesh has one.
+    // Throws InvalidArgument for a null mesh; NotSolid, which names a dent if the mesh has one.
     explicit ConvexSolid(std::shared_ptr<const Mesh> mesh);
-    // Makes the convex hull of points. Throws as convex_hull() does.
+    // Makes the convex hull of the points. Throws the errors of convex_hull().
     explicit ConvexSolid(std::span<const Vec3> points);
     ~ConvexSolid() override;
 
@@ -155,11 +173,11 @@ class ECODS_API ConvexSolid final : public Solid {
     std::unique_ptr<ConvexParts> convex_parts_;
 };
 
-// Returns the convex hull of points. Its vertices are the points, in the order given, that are no convex combination of
-// others, of equal ones the first; its triangles fan out from the least vertex of each face, turned outwards, ascending
-// by their vertices. Exact: no point is outside. Throws InvalidMesh, which names the index of a point that is not
-// finite, or too many points; NotSolid if all points lie in one plane, or there are none.
-// Cost: n log n for most points; n f, of f faces, at worst.
+// Returns the convex hull of the points. Its vertices are the points that are no convex combination of others, in the
+// order given; of equal points the first. Its triangles fan out from the least vertex of each face. They are turned
+// outwards, and ascending by their vertices. Exact: no point is outside. Throws InvalidMesh, which names the index of a
+// point that is not finite, or says that points are too many; NotSolid if all points lie in one plane, or there are
+// none. Cost: n log n for most points; n f, of f faces, at worst.
 [[nodiscard]] ECODS_API std::shared_ptr<const Mesh> convex_hull(std::span<const Vec3> points);
 
 }  // namespace ecods

@@ -1,17 +1,13 @@
-// Questions about solids, interiors included: where a point is, what is inside what, how far apart or how deep in each
-// other two are. No World is needed.
+// Questions that only solids have: where a point is, and how deep two solids are in each other. All other questions
+// take solids, too (intersection.hpp, distance.hpp, hit.hpp, cast.hpp). No World is needed.
 //
-//     Solid hall{hall_mesh}, table{table_mesh};
-//     solid_relation({table, pose}, {hall, Pose{}}) == Relation::inside
+//     Solid hall{hall_mesh};
+//     locate(Vec3(0, 0, 1), {hall, Pose{}}).side == Side::inside
 //
 // shape.hpp says which meshes bound a solid. A posed solid is the image of the set, R v + t. If R is singular, the
-// image is flat and has no interior.
+// image is flat and has no interior: it is the image of the surface.
 //
-// A body stays its surface, all triangles of its mesh, in intersects, distance, hits, collisions and everything else
-// that other headers say, whether or not its shape is a solid. Only the questions of this header count interiors. They
-// ignore zero-area parts that stick out of a solid, so two bodies may intersect although their solids are apart.
-//
-// Answers are exact for the real points and depend on the bits of meshes and poses alone; numbers are as in
+// Answers are exact for the real points, and depend on the bits of meshes and poses alone; numbers are as in
 // distance.hpp. Poses must be finite; a question does not check it. Threads are as in intersection.hpp. For coordinates
 // so far apart in scale that their integers need thousands of bits, a question uses up to 256 KiB of stack.
 //
@@ -29,72 +25,37 @@
 namespace ecods {
 
 // ---- solids of any form
-//
-// Method: signs of determinants of input points alone. Where two triangles that are not coplanar share a segment, the
-// half-planes of both solids around its line, sorted, say which regions exist there; a shell without such a segment
-// lies on one side of the other solid, which one ray decides, from a point that is moved symbolically. That this is all
-// that can happen is proved in src/query/solid/README.md.
 
-// Returns where the point is; under a singular pose, outside or on. Throws InvalidArgument unless the point is finite.
-// Cost: one walk of the tree, along a ray. (CGAL: side_of_triangle_mesh; trimesh: contains.)
+// Returns whether the point is inside, outside or on the surface; under a singular pose, outside or on. Throws
+// InvalidArgument unless the point is finite. Cost: a walk of the tree along a ray. (CGAL: side_of_triangle_mesh;
+// trimesh: contains.)
 [[nodiscard]] ECODS_API Location locate(const Vec3& point, const Posed<Solid>& solid, const Ask& ask = {});
 
-// Returns apart, touching, overlapping, inside, contains or equal. Subsets may touch the boundary from inside. A solid
-// at a singular pose is apart from others or touches them, which it does inside another solid, too. The empty solid is
-// apart from everything. Exchanging a and b exchanges inside and contains.
-//
-// Cost: of solids whose surfaces are apart, that of intersects() and one ray for each shell, of surfaces that meet,
-// about that of intersecting_triangles(); a proper crossing ends it.
-[[nodiscard]] ECODS_API Relation solid_relation(const Posed<Solid>& a, const Posed<Solid>& b, const Ask& ask = {});
-
-// Returns how a surface is to a solid: apart; touching, if it has no point inside the solid; inside, if it is a subset
-// of the solid and has points inside; crossing, if it has points inside and outside. All triangles of the surface
-// count, zero-area ones as the segments or points that they span. At a singular pose a solid has no inside.
-//
-// Cost: that of intersecting_triangles(), a ray where a triangle leaves the solid's surface along an edge, and one for
-// each connected part that does not meet it, which a pass over the triangles finds. Points on both sides, once seen,
-// end it.
-[[nodiscard]] ECODS_API Relation surface_relation(const Posed<MeshShape>& surface, const Posed<Solid>& solid,
-                                                  const Ask& ask = {});
-
-// Returns proven bounds of the depth of two solids, convex or not; empty if they share no point. Throws SingularPose.
-// Cost: some dozens of solid_relation(), of casts and of distances; of convex solids that of depth() and one or two of
-// solid_relation().
+// Returns proven bounds of the depth of two solids, convex or not; nullopt if they share no point. Throws SingularPose.
+// Cost: some tens of relation(), of casts and of distances; for convex solids that of depth() and one or two of
+// relation().
 [[nodiscard]] ECODS_API std::optional<DepthBounds> depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b,
                                                                 const Ask& ask = {});
 
 // ---- convex solids (FCL, Coal: Convex; Bullet, Jolt: ConvexHullShape)
 //
 // The features of a convex solid are those of the set, however its faces are cut into triangles and its edges into
-// pieces: a face is all of its solid in one plane, named by the least of its triangles, with corner 0; an edge is where
-// two faces meet, named by the least side of a triangle that lies on it; vertices are the ends of edges, each named by
-// the least triangle and corner. All of them by the indices of the mesh; triangles of zero area name nothing. Under a
-// pose whose matrix is regular the image of a convex solid is convex, and the images of its features are its features.
+// pieces. A face is all of its solid in one plane, named by its least triangle, with corner 0. An edge is where two
+// faces meet, named by the least side of a triangle that lies on it. A vertex is an end of edges, named by its least
+// triangle and corner. All names have indices of the mesh; triangles of zero area name nothing. Under a pose whose
+// matrix is regular, the image of a convex solid is convex, and the images of its features are its features.
 //
 // Method: for distances, the search of Gilbert, Johnson and Keerthi (A fast procedure for computing the distance
 // between complex objects, 1988) in doubles guesses the closest features. The signs of a few determinants prove the
-// guess, since what is closest among its neighbors is closest of a convex set; where they do not, exact steps go on
-// from there. For depths, a polytope inside the set of differences { p - q : p in a, q in b } grows toward the faces
-// that are nearest to the origin (van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game
-// Objects, 2001), in doubles; exact signs prove that these faces are faces of the set, and that no other is nearer.
-
-// Returns the distance of the sets: 0 exactly when they share a point. Starts from a witness, and leaves one. Throws
-// SingularPose.
-// Cost: about a microsecond for solids of some dozens of faces, less with a witness; some microseconds for equal poses
-// and other ties that no double decides. Beyond a hundred vertices it grows, at worst, like their number's root.
-[[nodiscard]] ECODS_API double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
-                                              const Ask& ask = {});
-
-// Returns the closest points of the sets, and the features that hold them; empty where the sets share a point (depth()
-// says how deep). Where several pairs of features have exactly that distance, the first is given, in the order that
-// ClosestPoints names. Exchanging the bodies exchanges a and b, unless several tie. Throws SingularPose.
-[[nodiscard]] ECODS_API std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a,
-                                                                   const Posed<ConvexSolid>& b, const Ask& ask = {});
+// guess, since a point of a convex set that is closest among its neighbors is closest of all; if they do not, exact
+// steps continue from there. For depths, a polytope inside the set of differences { p - q : p in a, q in b } grows
+// toward the faces that are nearest to the origin (van den Bergen, Proximity Queries and Penetration Depth Computation
+// on 3D Game Objects, 2001), in doubles. Exact signs prove that these are faces of the set, and no other is nearer.
 
 // Returns the depth: the length of the shortest translation of b after which the interiors share no point, and its
-// direction; empty if the solids share no point (solid_distance() says how far they are). Starts from a witness, and
-// leaves one. Throws SingularPose.
-// Cost: some microseconds for solids of some dozens of faces; some dozens of microseconds for ten thousand vertices.
+// direction; nullopt if the solids share no point (distance() says how far they are). Starts from a witness, and leaves
+// one. Throws SingularPose. Cost: some microseconds for solids of some tens of faces; some tens of microseconds for ten
+// thousand vertices.
 [[nodiscard]] ECODS_API std::optional<Depth> depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                                    const Ask& ask = {});
 

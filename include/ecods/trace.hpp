@@ -3,9 +3,9 @@
 // World::trace_to starts the record, with the bodies that are in the world at that moment. From then on every call that
 // changed something is written, one line each, in the order of the calls; a call that threw is not, as it changed
 // nothing.
-// Numbers are written without loss. The text, version 1:
+// Numbers are written without loss. The text, version 2:
 //
-//     ecods-trace 1
+//     ecods-trace 2
 //     world sweep_and_prune 0                   broad phase; places for bodies that were used before
 //     mesh 1 4 2                                number, vertices, triangles; then these:
 //     v 0x0p+0 0x1.8p+1 -0x1p-1074
@@ -24,7 +24,7 @@
 //     set_pair_enabled 1.0 2.0 0                0: off, 1: on
 //     set_user_data 1.0 2a                      hexadecimal
 //     set_clearance 0x1.8p-3                    or none
-//     set_solids 1                              0: not related, 1: related
+//     set_relations 1                           0: not listed, 1: listed
 //     update 0123456789abcdef 5                 digest, colliding pairs
 //     note any text
 //
@@ -44,7 +44,9 @@
 // A body is written as slot and generation. "update" is written before the update runs, and its result after it: if a
 // program crashes in an update, the trace ends with "update" alone. An update that threw is "update failed". Lines end
 // with LF; a file whose first line ends with CR LF, as some editors write it, is read as well, and a byte order mark at
-// its beginning is passed over. reserve() is not written: it changes no answer. set_test cannot be, and leaves a note.
+// its beginning is passed over. In version 1, which is read and replayed with its old meaning, solids met as their
+// surfaces did, and set_solids listed relations of solids alone. reserve() is not written: it changes no answer.
+// set_test cannot be, and leaves a note.
 //
 // Example: verify/examples/how_do_i, trace_and_replay().
 #pragma once
@@ -66,23 +68,23 @@
 namespace ecods {
 
 struct ReplayOptions {
-    std::optional<BroadPhaseKind> broad_phase = {};  // in place of the trace's
+    std::optional<BroadPhaseKind> broad_phase = {};  // used instead of the trace's
     std::shared_ptr<Executor> executor = nullptr;
-    bool checks_invariants = false;  // World::check_invariants() after each update
+    bool checks_invariants = false;  // if true, calls World::check_invariants() after each update
 
-    // Called for the new world: the place for tests of the caller's own.
+    // If set, called for the new world, for example to register the caller's own tests.
     std::function<void(World&)> set_up = nullptr;
 
-    // Called after each update that has gone as it did: the place for questions about the lists. May throw, which ends
+    // If set, called after each update that went as recorded, for example to ask about the lists. May throw, which ends
     // the replay.
     std::function<void(const World&)> updated = nullptr;
 
-    // Makes a shape from what TraceOptions::write_shape said. May throw.
+    // Makes a shape from the text that TraceOptions::write_shape returned. May throw.
     std::function<std::shared_ptr<const Shape>(ShapeKind, std::string_view)> read_shape = nullptr;
 };
 
 struct ReplayReport {
-    // The first thing that is not as the trace says.
+    // The first difference from the trace.
     struct Difference {
         std::size_t update;  // from 0: the update that differs, or that would have been next
         std::size_t call;    // from 0
@@ -90,7 +92,7 @@ struct ReplayReport {
         std::string what;
     };
 
-    // Run so far: all of the trace, or the part up to the difference.
+    // Counts of what was run: all of the trace, or the part up to the difference.
     std::size_t call_count = 0;
     std::size_t update_count = 0;
     std::size_t question_count = 0;
@@ -99,14 +101,14 @@ struct ReplayReport {
     std::optional<Difference> difference = {};
 };
 
-// Runs a trace until its end, or until something differs: the id of a new body (in a trace that began with an empty
-// world), the digest or the number of colliding pairs after an update, events that are not the difference of the lists
-// before and after, the answer to a question (in such a trace, too), or a broken invariant. An update without a
-// result, or that failed, is run and not compared.
+// Runs a trace until its end, or until something differs: the id of a new body (only in a trace that began with an
+// empty world), the digest or the number of colliding pairs after an update, events that are not the difference of the
+// lists before and after, the answer to a question (in the same traces only), or a broken invariant. An update that has
+// no result, or failed, is run but not compared.
 //
-// Throws InvalidTrace where the text is no trace, or where a call that it holds is refused; NotSupported for a shape of
-// the caller's own without a reader; ExecutorFailed as World::update does. Whatever the text is: memory and time are in
-// proportion to its length, and to the work of the updates in it.
+// Throws InvalidTrace if the text is no trace, or if a call in it is refused; NotSupported for a caller's own shape
+// without a reader; ExecutorFailed as World::update does. Whatever the text is, memory and time are proportional to its
+// length, and to the work of its updates.
 ECODS_API ReplayReport replay(std::istream& trace, const ReplayOptions& options = {});
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Options of a World, its bodies, the subjects of its questions, and its trace (world.hpp).
+// Defines options of a World, of its bodies and of its trace, and the subjects of its questions (world.hpp).
 //
 // Example: verify/examples/how_do_i, mesh_that_is_no_body().
 #pragma once
@@ -22,42 +22,43 @@
 
 namespace ecods {
 
-// The caller's threads, behind two functions: a thread pool, a task system or OpenMP fits in a few lines. The library
-// starts no thread. An executor may serve other users between two calls of the library.
+// Gives the library the caller's threads by two functions: a thread pool, a task system or OpenMP fits in a few lines.
+// The library starts no thread. Between two calls of the library, an executor may serve other users.
 class ECODS_API Executor {
   public:
     virtual ~Executor() = default;
 
-    // Returns how many calls may be under way at once; at least 1, and always the same.
+    // Returns the number of calls that may run at the same time; at least 1, and always the same.
     virtual std::size_t worker_count() const noexcept = 0;
 
-    // Calls task(i, worker) once for each i below task_count, in any order, on any threads, with worker below
-    // worker_count() and no two calls at once with the same worker; returns when all have ended, and their writes are
-    // visible to the caller. The library's tasks do not throw. An executor that breaks this is found out
-    // (ExecutorFailed): an answer that was not computed is never taken for one.
+    // Calls task(i, worker) once for each i below task_count, in any order and on any threads. `worker` must be below
+    // worker_count(), and different for calls that run at the same time. Returns when all calls have ended, and their
+    // writes are visible to the caller. The library's tasks do not throw. If an executor breaks these rules, the
+    // library throws ExecutorFailed: it never uses an answer that was not computed.
     virtual void run(std::size_t task_count, const std::function<void(std::size_t task, std::size_t worker)>& task) = 0;
 };
 
 struct WorldOptions {
     BroadPhaseKind broad_phase = BroadPhaseKind::automatic;
 
-    // Runs the two-body tests of update(), depths() and solid_distances(); null: the thread that calls. Answers, lists,
-    // events, digests and counts are the same for any executor and number of workers. Several threads call tests of the
-    // caller's own, each with its own QueryMemory. Questions about a pair stay on the caller's thread.
+    // Runs the two-body tests of update(), depths() and solid_distances(); null: the calling thread runs them. Answers,
+    // lists, events, digests and counts are the same for any executor and number of workers. Several threads may call a
+    // caller's own tests at the same time, each with its own QueryMemory. The calling thread answers questions about a
+    // pair.
     std::shared_ptr<Executor> executor = nullptr;
 
-    // The ids of the first bodies, in this order; later bodies get ids that no body had. Pass World::bodies() followed
-    // by World::next_ids() of another world to make a copy in which every id, valid or stale, means the same. The two
-    // worlds then cannot distinguish each other's ids from their own. Empty: new ids.
+    // The ids of the first bodies, in this order; later bodies get ids that no body had. To make a copy of another
+    // world in which every id, valid or stale, means the same, pass its World::bodies() followed by its
+    // World::next_ids(). The two worlds then cannot distinguish each other's ids from their own. Empty: new ids.
     //
     // World() throws StaleBody, with the index of the entry, for a null id, for a second id of a slot, and for an id of
-    // another world than the first one's. Memory: in proportion to the greatest slot.
+    // another world than the first id's. Memory: proportional to the greatest slot.
     std::vector<BodyId> ids = {};
 };
 
-// A body to be. Either a mesh or a shape is needed.
+// Describes a body to be created. It must have either a mesh or a shape.
 struct BodyOptions {
-    std::shared_ptr<const Mesh> mesh = nullptr;  // bodies given the same Mesh share its tree
+    std::shared_ptr<const Mesh> mesh = nullptr;  // bodies with the same Mesh share its tree
     std::shared_ptr<const Shape> shape = nullptr;
     Pose pose = {};
     CollisionFilter filter = {};
@@ -71,9 +72,9 @@ struct BodyOptions {
 //     world.nearest({mesh, pose});
 //     world.nearest({{mesh, pose}, filter});
 //
-// If the subject is a body, bodies filtered out with it are passed over. Otherwise no body is passed over, unless the
-// subject has a filter of its own. A Mesh that no body has gets a new tree each time: keep a MeshShape to ask with it
-// again. A shape given by reference must outlive the Asked; one given by a shared pointer is kept.
+// If the subject is a body, bodies whose pair with it is filtered out are skipped. Otherwise no body is skipped, unless
+// the subject has a filter of its own. A Mesh that no body has gets a new tree each time; to ask with it again, keep a
+// MeshShape. A shape given by reference must outlive the Asked; a shape given by shared pointer is kept alive.
 class Asked {
   public:
     struct MeshAt {
@@ -101,13 +102,13 @@ class Asked {
 };
 
 struct TraceOptions {
-    // Writes a shape of the caller's own as one line, from which ReplayOptions::read_shape makes it again. Without it,
-    // or where it returns more than a line, a call that brings such a shape in throws NotSupported and changes nothing.
+    // Writes a caller's own shape as one line, from which ReplayOptions::read_shape makes it again. If there is no such
+    // function, or it returns more than a line, a call that brings in such a shape throws NotSupported.
     std::function<std::string(const Shape&)> write_shape = nullptr;
 
-    // True to write questions, too (trace.hpp names them), if they are asked without memory of the caller's; nearest()
-    // and cast() for bodies without a filter only. A question that throws is not written. A replay asks them again and
-    // compares the answers.
+    // True to write questions, too (trace.hpp names them), if the caller gives no memory; for nearest() and cast(),
+    // only if the subject is a body without a filter. A question that throws is not written. A replay asks them again
+    // and compares the answers.
     bool questions = false;
 };
 

@@ -1,4 +1,4 @@
-// The library checks at compile time what it needs of a compiler.
+// Requirements on the compiler and on floating-point arithmetic are checked here, at compile time.
 #pragma once
 
 #include <cfloat>
@@ -14,8 +14,9 @@
 
 namespace ecods {
 
-// Proofs of answers assume IEEE binary64 evaluated as binary64: no x87 registers, no wider intermediates. They cover
-// contraction to fused multiply-add, any rounding mode and flush-to-zero.
+// All proofs in this library assume that double is IEEE binary64 and is evaluated as binary64: no x87 registers, no
+// wider intermediates. The proofs hold with contraction to fused multiply-add, in any rounding mode, and with
+// flush-to-zero.
 static_assert(std::numeric_limits<double>::is_iec559 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024);
 static_assert(FLT_EVAL_METHOD == 0);
 static_assert(CHAR_BIT == 8);

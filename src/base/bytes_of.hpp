@@ -1,4 +1,4 @@
-// bytes_of counts the memory that lists hold.
+// bytes_of returns the number of bytes that vectors have allocated.
 #pragma once
 
 #include <cstddef>

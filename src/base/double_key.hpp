@@ -1,4 +1,5 @@
-// Doubles are compared as integers, so that their order cannot depend on the floating-point environment.
+// Doubles are mapped to integers ("keys") of the same order. Comparing keys gives the same result in every
+// floating-point environment.
 #pragma once
 
 #include <bit>
@@ -7,22 +8,22 @@
 
 namespace ecods {
 
-// Returns an integer that orders as the double does, infinities included; -0.0 and 0.0 have one key. Only bits are
-// read: with denormals-are-zero set, a comparison of doubles would take subnormals for equal.
+// Returns an integer with the same order as the double: x < y if and only if key_of(x) < key_of(y). Infinities have
+// keys; -0.0 and 0.0 have the same key. Works on the bits, because with denormals-are-zero set a comparison of doubles
+// would take subnormal numbers for equal.
 constexpr std::int64_t key_of(double x) noexcept {
     const auto bits = std::bit_cast<std::int64_t>(x);
-    const std::int64_t sign = bits >> 63;  // all ones below zero
+    const std::int64_t sign = bits >> 63;  // all ones if x is negative, otherwise 0
     return ((bits & std::numeric_limits<std::int64_t>::max()) ^ sign) - sign;
 }
 
-// Returns the double that has this key.
+// Returns the double x with key_of(x) == key.
 constexpr double double_of(std::int64_t key) noexcept {
     const std::int64_t sign = key >> 63;
     return std::bit_cast<double>(((key ^ sign) - sign) | (sign & std::numeric_limits<std::int64_t>::min()));
 }
 
-// True for the numbers from 0 on, infinity included; -0.0 is 0. The key of a NaN lies beyond the keys of the
-// infinities.
+// True if x >= 0; infinity and -0.0 included. False for NaN, whose key is beyond the keys of both infinities.
 constexpr bool is_from_zero(double x) noexcept {
     return key_of(x) >= 0 && key_of(x) <= key_of(std::numeric_limits<double>::infinity());
 }

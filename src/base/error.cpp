@@ -13,7 +13,7 @@
 namespace ecods {
 namespace {
 
-// Returns the shortest decimal that reads back as the same double; NaN and infinities by name.
+// Returns the shortest decimal that reads back as the same double; "nan", "inf" or "-inf" for other values.
 std::string text(double x) {
     std::array<char, 32> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
@@ -43,7 +43,7 @@ std::string pose_entry(int row, int column) {
     return column == 3 ? "t(" + r + ")" : "R(" + r + ", " + std::to_string(column) + ")";
 }
 
-// The names of questions, by the value of the enumerator.
+// Names of questions, indexed by the enumerator's value.
 constexpr std::array<std::string_view, 12> question_names = {"relation",       "intersecting_triangles",
                                                              "distance",       "within",
                                                              "closest",        "intersections",
@@ -62,12 +62,13 @@ std::string bad_coordinate(int axis, double value) {
     return "axis " + std::to_string(axis) + ": coordinate is " + text(value) + ", not finite";
 }
 
-// Names a coordinate: "min(2)", or "(2)" where the argument is a vector itself.
+// Returns the name of one coordinate: "min(2)", or "(2)" if `vector` is empty because the argument is a vector itself.
 std::string coordinate(const char* vector, int axis) {
     return std::string(vector) + "(" + std::to_string(axis) + ")";
 }
 
-// Names the end that is a NaN; otherwise the minimum, which is above the maximum.
+// Makes the error for a bad interval [min, max]. The error names the end that is NaN; if neither end is NaN, min > max,
+// and the error names the minimum.
 InvalidArgument about_box(const std::string& given, int axis, double min, double max) {
     const bool is_max = std::isnan(max) && !std::isnan(min);
     return {given + "[" + text(min) + ", " + text(max) + "] on axis " + std::to_string(axis), Argument::box,
@@ -175,6 +176,12 @@ NotSolid no_interior(std::size_t point_count) {
                        ? std::string("there are no points")
                        : "the " + std::to_string(point_count) + " points lie in one plane: there is no interior",
                    NotSolid::Reason::no_interior);
+    error.point_count = point_count;
+    return error;
+}
+
+NotSolid no_area(std::size_t point_count) {
+    NotSolid error("no triangle has an area: there is no interior", NotSolid::Reason::no_interior);
     error.point_count = point_count;
     return error;
 }

@@ -16,8 +16,8 @@ std::string text_of(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-// Each operator writes one string, so a width set on the stream applies to all of it, and a locale that groups digits
-// has no effect.
+// Each operator below writes one string. So a width that is set on the stream applies to the whole text, and digits are
+// not grouped as in the stream's locale.
 
 std::ostream& operator<<(std::ostream& out, BodyId body) {
     return out << text_of(body);

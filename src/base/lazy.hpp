@@ -1,4 +1,4 @@
-// A Lazy value is made on first use.
+// Lazy holds a value that is made on first use.
 #pragma once
 
 #include <atomic>
@@ -7,8 +7,8 @@
 
 namespace ecods {
 
-// Many threads may call get() at once: one makes the value, and the others wait for it. If making it throws, the next
-// call tries again. Once the value is there, a call costs a load.
+// Many threads may call get() at once: one thread makes the value, and the others wait for it. If make() throws, the
+// exception reaches the caller, and the next call tries again. Once the value exists, get() costs one atomic load.
 template <class T>
 class Lazy {
   public:

@@ -1,4 +1,4 @@
-// Makes the errors of bad input; error.cpp has their texts.
+// Functions that make the errors about bad input. Their texts are in error.cpp.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ InvalidMesh empty_mesh();
 InvalidMesh invalid_layout(std::size_t number_count, std::size_t stride);
 InvalidMesh mesh_too_large(std::size_t vertex_count, std::size_t triangle_count);
 
-// An edge as errors name it goes from this corner of the triangle to the next one.
+// Names a directed edge of a triangle in an error: it goes from corner `corner` of the triangle to the next corner.
 struct MeshEdge {
     std::size_t triangle;
     int corner;
@@ -26,18 +26,19 @@ NotSolid open_edge(const MeshEdge& edge, const std::array<NotSolid::Coordinates,
 NotSolid self_intersection(const TrianglePair& triangles);
 NotSolid dent(const MeshEdge& edge, std::size_t beyond);
 NotSolid no_interior(std::size_t point_count);
+NotSolid no_area(std::size_t point_count);  // of any triangle of a mesh
 
-InvalidArgument invalid_pose(int row, int column, double value);  // of the 4x4 matrix [R t; 0 0 0 1]
+InvalidArgument invalid_pose(int row, int column, double value);  // row and column of the 4x4 matrix [R t; 0 0 0 1]
 InvalidArgument invalid_box(int axis, double min, double max);
-InvalidArgument invalid_box(ShapeKind kind, int axis, double min, double max);  // returned by a shape
+InvalidArgument invalid_box(ShapeKind kind, int axis, double min, double max);  // the box that a shape returned
 InvalidArgument invalid_segment(int end, int axis, double value);
-InvalidArgument invalid_origin(int axis, double value);  // of a ray, as the next three
+InvalidArgument invalid_origin(int axis, double value);  // about a ray, like the next three functions
 InvalidArgument invalid_direction(int axis, double value);
 InvalidArgument no_direction();
 InvalidArgument invalid_max_parameter(double value);
 InvalidArgument invalid_point(int axis, double value);
 InvalidArgument invalid_motion(int axis, double value);
-InvalidArgument invalid_center(int axis, double value);  // of a ball, as the next one
+InvalidArgument invalid_center(int axis, double value);  // about a ball, like the next function
 InvalidArgument invalid_radius(double value);
 InvalidArgument invalid_distance(double value);
 InvalidArgument invalid_time(double value);

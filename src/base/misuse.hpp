@@ -1,11 +1,11 @@
-// A program's own mistakes are reported to the misuse handler before they are thrown.
+// Errors about a program's own mistakes are passed to the misuse handler, and then thrown.
 #pragma once
 
 #include "ecods/error.hpp"
 
 namespace ecods {
 
-// Calls the handler that set_misuse_handler installed, if any.
+// Calls the handler that set_misuse_handler installed, if there is one.
 void report_misuse(const Error& error);
 
 template <class SomeError>

@@ -17,7 +17,7 @@ void append_chars(std::string& text, Number x, How... how) {
 
 }  // namespace
 
-// Reads bits: to_chars takes a subnormal for zero if the processor does (denormals are zero).
+// Reads the bits of x, because std::to_chars writes a subnormal number as zero if the processor takes it for zero.
 void append_hex(std::string& text, double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const int biased = static_cast<int>(bits >> 52 & 0x7ff);

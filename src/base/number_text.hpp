@@ -1,4 +1,4 @@
-// Numbers become text that is the same in every locale: decimal and hexadecimal.
+// Numbers are written as decimal or hexadecimal text, which does not depend on the locale.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace ecods {
 
-// Append the shortest hexadecimal form. A double is exact, as in -0x1.8p+3; a whole number has no 0x.
+// Append the shortest hexadecimal text of x. A double is written exactly, for example -0x1.8p+3. An integer has no 0x.
 void append_hex(std::string& text, double x);
 void append_hex(std::string& text, std::uint64_t x);
 

@@ -1,9 +1,9 @@
-// Doubles are narrowed to single precision: outwards, for the boxes of trees, and to nearest.
+// Doubles are rounded to floats: outwards, for the boxes of trees, or to nearest.
 //
-// Narrowing works on the bits of the double, so no rounding mode and no optimiser takes part. That is needed: compilers
-// drop a conversion to float and back. g++ 12, vectorising straight-line code, computes with the double that was not
-// rounded (with -O3, in places with -O2). A float compared with the double that it came from would then always equal
-// it, and a box could end inside what it is to contain.
+// All rounding here works on the bits of the double, so it depends neither on the rounding mode nor on the optimiser. A
+// conversion to float and back would not do, because compilers drop it: g++ 12 vectorises straight-line code (with -O3,
+// in places with -O2) and then computes with the unrounded double. A float compared with its own double would then
+// always be equal to it, and a box could end inside the set that it must contain.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 
 namespace ecods {
 
-// The least normal float, which no processor takes for zero.
+// The least normal float. Smaller positive floats are subnormal, and a processor may take those for zero.
 inline constexpr float float_min = std::numeric_limits<float>::min();
 
-// The magnitude of a number is its bits without the sign. Magnitudes order as the numbers do.
+// The magnitude of a number x is the bit pattern of |x|. Magnitudes have the same order as the absolute values.
 inline constexpr std::uint32_t float_infinity_magnitude = 0x7f800000u;
 inline constexpr std::uint32_t float_min_magnitude = std::bit_cast<std::uint32_t>(float_min);
 inline constexpr std::uint32_t float_max_magnitude = float_infinity_magnitude - 1;
@@ -42,7 +42,7 @@ constexpr bool has_sign(double x) noexcept {
     return std::bit_cast<std::uint64_t>(x) >> 63 != 0;
 }
 
-// Rounds a magnitude down to a float: the greatest that is at most as large, zero or normal or infinite.
+// Rounds a double's magnitude towards zero to the magnitude of a float that is zero, normal or infinite.
 constexpr std::uint32_t narrowed_inwards(std::uint64_t magnitude) noexcept {
     if (magnitude < widened(float_min_magnitude)) return 0;
     if (magnitude > widened(float_max_magnitude)) {
@@ -51,8 +51,8 @@ constexpr std::uint32_t narrowed_inwards(std::uint64_t magnitude) noexcept {
     return static_cast<std::uint32_t>((magnitude - narrowed_bias) >> narrowed_bits);
 }
 
-// Rounds a magnitude up to a float: the least that is at least as large. A carry out of the fraction rightly goes on
-// into the exponent.
+// Rounds a double's magnitude away from zero to the magnitude of a float that is zero, normal or infinite. A carry out
+// of the fraction increases the exponent, which gives the right float.
 constexpr std::uint32_t narrowed_outwards(std::uint64_t magnitude) noexcept {
     if (magnitude == 0) return 0;
     if (magnitude < widened(float_min_magnitude)) return float_min_magnitude;
@@ -60,25 +60,24 @@ constexpr std::uint32_t narrowed_outwards(std::uint64_t magnitude) noexcept {
     return static_cast<std::uint32_t>((magnitude - narrowed_bias + narrowed_mask) >> narrowed_bits);
 }
 
-// Returns the negative of a float that is given by its magnitude; zero for zero.
+// Returns minus the float with this magnitude; +0 if the magnitude is 0.
 constexpr float negated(std::uint32_t magnitude) noexcept {
     return std::bit_cast<float>(magnitude == 0 ? 0 : magnitude | 0x80000000u);
 }
 
-// Returns the least float, zero or normal or infinite, that is at least x. Not for NaN.
+// Returns the least float >= x among zero, normal floats and infinities. x must not be NaN.
 constexpr float round_up(double x) noexcept {
     const std::uint64_t magnitude = magnitude_of(x);
     return has_sign(x) ? negated(narrowed_inwards(magnitude)) : std::bit_cast<float>(narrowed_outwards(magnitude));
 }
 
-// Returns the greatest float, zero or normal or infinite, that is at most x. Not for NaN.
+// Returns the greatest float <= x among zero, normal floats and infinities. x must not be NaN.
 constexpr float round_down(double x) noexcept {
     const std::uint64_t magnitude = magnitude_of(x);
     return has_sign(x) ? negated(narrowed_outwards(magnitude)) : std::bit_cast<float>(narrowed_inwards(magnitude));
 }
 
-// Returns the float nearest to x, ties to even, or zero if |x| is below the least normal float. Not for NaN. For floats
-// that are read as doubles afterwards.
+// Returns the float nearest to x, ties to even, or zero if |x| is below the least normal float. x must not be NaN.
 constexpr float round_to_nearest(double x) noexcept {
     const std::uint64_t magnitude = magnitude_of(x);
     if (magnitude < widened(float_min_magnitude)) return 0;

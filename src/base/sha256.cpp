@@ -7,7 +7,7 @@
 namespace ecods {
 namespace {
 
-// The fractional parts of the cube roots of the first 64 primes, 32 bits each (4.2.2).
+// Fractional parts of the cube roots of the first 64 primes, 32 bits each (section 4.2.2 of FIPS 180-4).
 constexpr std::array<std::uint32_t, 64> constants = {
     0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
     0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
@@ -24,7 +24,7 @@ std::uint32_t big_endian(const unsigned char* bytes) noexcept {
 
 }  // namespace
 
-// Follows sections 6.2.2 and 4.1.2, with their names.
+// Adds one block of 64 bytes to the state. Follows sections 6.2.2 and 4.1.2 of FIPS 180-4, with their names.
 void Sha256::compress(const unsigned char* block) noexcept {
     std::array<std::uint32_t, 64> w;
     for (std::size_t t = 0; t < 16; ++t) w[t] = big_endian(block + 4 * t);
@@ -69,7 +69,8 @@ void Sha256::operator()(std::string_view piece) noexcept {
     if (!piece.empty()) std::memcpy(rest_.data(), piece.data(), piece.size());
 }
 
-// Pads the text with a bit of 1, zeros, and its length in bits, as 64 bits at the end of a block (5.1.1).
+// Pads the text with a 1 bit, zero bits, and the length of the text in bits, a 64-bit number that ends the last block
+// (section 5.1.1).
 Sha256::Digest Sha256::finish() noexcept {
     constexpr std::size_t length_at = block_bytes - 8;
     const std::uint64_t bit_count = 8 * byte_count_;

@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// Writes the name of a value whose enumeration counts from 0, or its number if it is no enumerator.
+// Writes names[value], or the value as a number if value >= count.
 template <class Enum, std::size_t count>
 std::ostream& write_name(std::ostream& out, Enum value, const std::array<const char*, count>& names) {
     const auto at = static_cast<std::size_t>(value);

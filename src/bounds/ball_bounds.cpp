@@ -18,7 +18,7 @@ using namespace exact;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Holds the gap on one axis, x - y >= 0; both are zero if there is no gap.
+// A gap is the distance x - y >= 0 of the center from the box on one axis; x = y = 0 if there is none.
 struct Gap {
     double x = 0;
     double y = 0;
@@ -30,8 +30,8 @@ Gap gap_of(double center, double min, double max) noexcept {
     return {};
 }
 
-// Limits the digits of numbers that is_within_short takes: differences have 62, squares 124, and sums of three squares
-// 126.
+// The largest number of digits of the numbers in is_within_short(). Differences have at most 62 digits, squares 124,
+// and sums of three squares 126, which an Int128 holds.
 constexpr int short_width = 61;
 
 bool is_within_short(const std::array<Gap, 3>& gaps, double radius, int low) noexcept {
@@ -47,7 +47,7 @@ bool is_within_short(const std::array<Gap, 3>& gaps, double radius, int low) noe
     return sum <= at_low(radius) * at_low(radius);
 }
 
-// Numbers are counted in units of 2^-1074: doubles are below 2^2098, and differences below 2^2099.
+// Numbers are multiples of 2^-1074. In that unit doubles are below 2^2098, and differences of two below 2^2099.
 constexpr int limb_count = 33, lowest = -1074;
 static_assert(limb_count * 64 > 1024 - lowest + 1 + 1 && 2 * limb_count * 64 > 2 * (1024 - lowest + 1) + 2 + 1);
 
@@ -75,8 +75,9 @@ bool is_within(const std::array<Gap, 3>& gaps, double radius) noexcept {
 
 }  // namespace
 
-// c - r has a rounding error of u' (|c| + r), and so has the subtraction of the margin: 4 u' (|c| + r) covers both, and
-// 2^-1000 covers underflow.
+// Sets a box that contains the ball. c - r has a rounding error of u' (|c| + r), and the subtraction of the margin has
+// another u' (|c| + r), with u' = 2^-52. The margin is 4 u' (|c| + r), plus 2^-1000 for underflow.
+// Claim: verify/proofs/small_bounds.py
 BallBounds::BallBounds(const Ball& ball) noexcept : ball_(ball), square_(ball.radius * ball.radius) {
     ECODS_ASSERT(key_of(ball.radius) >= 0);
     for (int k = 0; k < 3; ++k) {
@@ -110,7 +111,7 @@ bool BallBounds::meets(const Aabb& box) const noexcept {
     for (int k = 0; k < 3; ++k) {
         Gap& gap = gaps[static_cast<std::size_t>(k)];
         gap = gap_of(ball_.center[k], box.min[k], box.max[k]);
-        // The box is at infinity, which no finite ball reaches.
+        // The whole box is at infinity on this axis, which no finite ball reaches.
         if (key_of(gap.x) == key_of(infinity) || key_of(gap.y) == key_of(-infinity)) return false;
         range.include(decode(gap.x));
         range.include(decode(gap.y));

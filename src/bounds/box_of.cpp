@@ -12,8 +12,8 @@
 namespace ecods {
 namespace {
 
-// Collects the box of rounded vertices, and the largest coordinates of the vertices themselves. std::min and std::max
-// in this argument order ignore NaN. NaN arises only with overflow, which is_moderate() excludes.
+// Collects the box of rounded vertices, and the largest |coordinates| of the vertices before posing. std::min and
+// std::max in this argument order ignore NaN; NaN arises only with overflow, which is_moderate() excludes.
 class BoxBuilder {
   public:
     explicit BoxBuilder(const Pose& pose) : pose_(pose) {}
@@ -27,17 +27,19 @@ class BoxBuilder {
         v_max_ = v_max_.cwiseMax(v.cwiseAbs());
     }
 
-    // Returns an error bound of rounded vertices.
+    // Returns an upper bound of the error of each rounded coordinate.
     double delta() const { return exact::point_error_bound(pose_.R, v_max_, pose_.t); }
 
-    // True if the error is about 4.25 2^-52 of a sum of magnitudes that did not overflow. The test is for a limit, not
-    // for infinities: a mode that rounds down turns some infinities into large numbers, which exceed the limit, too.
+    // True if the error bound `delta` is about 4.25 * 2^-52 times a sum of magnitudes that did not overflow. Compares
+    // with a limit, because a rounding mode that rounds down turns some infinities into large numbers; these exceed the
+    // limit, too.
     bool is_moderate(double delta) const {
         const double factor_max = std::max(pose_.R.cwiseAbs().maxCoeff(), v_max_.maxCoeff());
         return delta < 0x1p970 && delta > unscaled_min + unscaled_min * factor_max;
     }
 
-    // Returns the box enlarged by the error, then to the next doubles, which covers the rounding of the first step.
+    // Returns the box, enlarged by `delta` and then to the next doubles. The second step covers the rounding of the
+    // first.
     Aabb box(double delta) const {
         Aabb box;
         for (int k = 0; k < 3; ++k) {
@@ -56,8 +58,8 @@ class BoxBuilder {
     Vec3 v_max_ = Vec3::Zero();
 };
 
-// Computes the box in units that are chosen for the body. It compares keys, because the processor may take subnormal
-// numbers for zero. Only the ends of the box may overflow.
+// Computes the box in units in which nothing overflows but, at the end, the ends of the box. Compares keys, because the
+// processor may take subnormal numbers for zero.
 [[gnu::noinline]] Aabb scaled_box_of(const Mesh& mesh, const Pose& pose) {
     const auto vertices = mesh.vertices();
     Vec3 v_max = Vec3::Zero();

@@ -1,5 +1,5 @@
-// Vectors and matrices of three dimensions are held in registers of four doubles, for code that is compiled for several
-// instruction sets (simd/region.hpp). Products of matrices and vectors add from left to right.
+// Vectors and matrices of three dimensions in registers of four doubles, compiled once for each instruction set
+// (simd/region.hpp). Products of matrices and vectors add from left to right, so all sets give the same bits.
 #pragma once
 
 #include <algorithm>

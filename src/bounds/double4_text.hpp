@@ -1,11 +1,11 @@
-// double4_text.hpp is the text of bounds/double4.hpp, compiled for each instruction set.
+// Source that bounds/double4.hpp includes once for each instruction set.
 
-// The fourth lane is zero.
+// Returns v[0], v[1], v[2] and 0.
 ECODS_ALWAYS_INLINE Double4 load3(const double* v) noexcept {
     return Double4{v[0], v[1], v[2], 0};
 }
 
-// Copies one lane into all lanes.
+// Copies lane `lane` into all lanes.
 template <int lane>
 ECODS_ALWAYS_INLINE Double4 each(Double4 v) noexcept {
     return broadcast<Double4>(v[lane]);
@@ -29,7 +29,7 @@ ECODS_ALWAYS_INLINE Double4 cross(Double4 a, Double4 b) noexcept {
     return shuffle<1, 2, 0, 3>(c);
 }
 
-// Holds the matrix of one body, or of two in the halves of V.
+// Holds the columns of a matrix of one body, or, if V is Double8, of two bodies in the halves of V.
 template <class V>
 struct Matrix {
     V column[3];

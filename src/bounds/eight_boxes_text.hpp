@@ -1,6 +1,7 @@
-// eight_boxes_text.hpp is the text of bounds/support_table.cpp for AVX-512.
+// Source that bounds/support_table.cpp includes for AVX-512.
 
-// Does for eight poses what find_four_boxes() does for four.
+// Sets `boxes` to the boxes of eight poses and returns true. Returns false, and sets nothing, if any of these poses
+// must be scaled for its box. (find_four_boxes() does this for four poses.)
 [[gnu::noinline]] inline bool find_eight_boxes(const TableView& table, const std::array<const Pose*, 8>& poses,
                                                const std::array<Aabb*, 8>& boxes) noexcept {
     const Rows<Double4> low = load_four(poses.data()), high = load_four(poses.data() + 4);

@@ -8,11 +8,11 @@
 namespace ecods {
 namespace {
 
-// Larger coordinates may overflow in differences and in products of these with the frame.
+// With larger coordinates, differences, and their products with the frame, may overflow.
 constexpr double coordinate_max = 0x1p900;
 constexpr double scale_min = 0x1p-900;
 
-// Limits the triangles that choose the axes: any axes are right, so a sample will do.
+// The axes are chosen from a sample of about this many triangles. A sample suffices, since any axes give right boxes.
 constexpr std::size_t sample_size_max = 4096;
 
 struct Range {
@@ -25,7 +25,7 @@ struct Range {
     }
 };
 
-// Calls visit(v) for the corners of every stride-th triangle.
+// Calls visit(v) for each corner v of every stride-th triangle.
 template <class Visit>
 void visit_corners(const Mesh& mesh, std::size_t stride, Visit&& visit) {
     for (std::size_t i = 0; i < mesh.triangles().size(); i += stride) {
@@ -45,7 +45,8 @@ Range range_of(const Mesh& mesh, std::size_t stride, Map&& map) {
     return range;
 }
 
-// Returns the principal axes of the corners, as orthonormal columns, or the identity if they are not precise enough.
+// Returns the principal axes of the corners of every stride-th triangle, as orthonormal columns; the identity if the
+// computed axes are not orthonormal enough.
 Mat3 principal_axes(const Mesh& mesh, std::size_t stride, const Vec3& center, double size) {
     Vec3 mean = Vec3::Zero();
     Mat3 moment = Mat3::Zero();
@@ -63,16 +64,17 @@ Mat3 principal_axes(const Mesh& mesh, std::size_t stride, const Vec3& center, do
     axes.col(0).normalize();
     axes.col(1) = (axes.col(1) - axes.col(0) * axes.col(0).dot(axes.col(1))).normalized();
     axes.col(2) = axes.col(0).cross(axes.col(1));
-    // Tiny entries would underflow when they are scaled.
+    // Tiny entries are set to zero: they would underflow when they are scaled.
     for (int i = 0; i < 9; ++i) {
         if (std::abs(axes.data()[i]) < 0x1p-100) axes.data()[i] = 0;
     }
-    // The product as computed is off by at most 4 u', u' = 2^-52.
+    // The computed product is off by at most 4 u', u' = 2^-52, which is far below the limit.
+    // Claim: verify/proofs/small_bounds.py
     const double tau = (axes.transpose() * axes - Mat3::Identity()).cwiseAbs().maxCoeff();
     return tau <= 0.5 * frame_tau_max ? axes : Mat3::Identity();
 }
 
-// Returns the frame with these axes, from a center that is computed relative to `near`: any point near the mesh.
+// Returns the frame with these axes. Its center is computed relative to `near`, which may be any point near the mesh.
 LocalFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
     LocalFrame frame;
     frame.center =
@@ -82,7 +84,7 @@ LocalFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
         reaches = reaches.cwiseMax((axes.transpose() * (v - frame.center)).cwiseAbs());
     });
     const double reach = reaches.maxCoeff();
-    // The scale is a power of two above the reach, with a margin for the error of coordinates.
+    // The scale is a power of two that is greater than the reach, by a margin for the error of coordinates.
     int exponent = 0;
     const double fraction = std::frexp(reach, &exponent);
     const double scale =
@@ -91,7 +93,8 @@ LocalFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
     frame.map = axes * scale;
     frame.inverse = axes.transpose() / scale;
     frame.scale = scale;
-    // The sum is rounded by at most half of coordinate_error.
+    // The constant covers the error of coordinates (at most coordinate_error) and the rounding of this sum (at most
+    // half of that).
     frame.half = reaches / scale + Vec3::Constant(2 * coordinate_error);
     frame.map_size = frame.map.cwiseAbs().rowwise().sum();
     frame.size_max = std::max({1.0, frame.map.cwiseAbs().maxCoeff(), frame.center.cwiseAbs().maxCoeff()});

@@ -11,8 +11,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double speed_min = 0x1p-1000, speed_max = 0x1p1000;
 constexpr double less = 1 - 0x1p-48, more = 1 + 0x1p-48;
 
-// Returns an upper bound of the real b - a. A difference that may be subnormal, and flushed to zero, is known by its
-// sign alone.
+// Returns an upper bound of the real difference b - a. If the computed difference may be subnormal, and flushed to
+// zero, only its sign is used.
 double difference_above(double a, double b) noexcept {
     if (key_of(a) == key_of(b)) return 0;
     const double difference = b - a;
@@ -22,8 +22,8 @@ double difference_above(double a, double b) noexcept {
 
 }  // namespace
 
-// Sides at infinity do not move. If p is infinity, e <= p always holds; if p is -infinity and the side is not coming,
-// it holds for e = -infinity alone.
+// Sets side `side`. A side at infinity does not move. If p is infinity, e <= p always holds. If p is -infinity and the
+// side is not coming, e <= p holds only for e = -infinity.
 void MovingBox::set(std::size_t side, double p, double velocity) noexcept {
     const std::int64_t key = key_of(velocity);
     Side& s = sides_[side];

@@ -1,5 +1,5 @@
-// A MovingBox bounds the times from which on a moving box may meet other boxes. The bounds leave boxes out, and decide
-// nothing.
+// A MovingBox computes bounds of the times at which a moving box may meet other boxes. They serve to leave out boxes;
+// no answer follows from a bound alone.
 #pragma once
 
 #include <algorithm>
@@ -14,37 +14,38 @@
 
 namespace ecods {
 
-// Holds six sides, each of which moves at a constant speed from time 0 on. Together they are a box that is translated,
-// or a segment or ray (a point that moves; times are parameters).
+// Holds the six sides of a box that moves with constant velocity from time 0 on. A segment or ray is such a box, too: a
+// moving point, whose times are the parameters of the line.
 //
-// Each side has a partner, the side of another box that faces it. In the direction out of the moving box, the side is
-// at p + s v at time s, and its partner at e. The two boxes share a point on that axis at those times at which
-// e <= p + s v holds for both pairs of sides. This holds from some time on if v > 0, up to some time if v < 0, and at
-// all times or at none if v = 0. The boxes meet if some time is right for all six pairs.
+// For each side, the side of another box that faces it is its partner. In the direction out of the moving box, the side
+// is at p + s v at time s, and its partner at e. The two boxes share a point on that axis at the times at which e <= p
+// + s v holds for both pairs of sides. This holds from some time on if v > 0, up to some time if v < 0, and at all
+// times or at none if v = 0. The boxes meet at time s if it holds for all six pairs at s.
 //
-// Bounds. `velocity` is at least the real one, so a coming side (v > 0) is never later than computed, and a going side
-// (v < 0) never earlier. With u' = 2^-52, which bounds an operation in any rounding mode, a time is off by u' for the
-// difference, u' for `gap_min`, u' for the inverse, u' for its factor and u' for the product: the factors 1 -+ 2^-48
-// subtract or add 16 u'. If subnormal numbers are flushed to zero, differences and coordinates are off by 3 * 2^-1022,
-// which is below 2^-60 of the 2^-960 by which gaps are made smaller for a coming side, and larger for a going side.
-// Speeds below 2^-1000 and above 2^1000 are replaced by these limits, or by infinity, whichever proves less. So no
-// inverse is subnormal. A product that is subnormal or flushed to zero is off by less than 2^-1021; so a box is left
-// out only if it comes later than it goes by more than 2^-1000. Gaps that overflow are at least the largest double.
-// NaN, from 0 times infinity, proves nothing.
+// Bounds. `velocity` is an upper bound of the real velocity, so a coming side (v > 0) is never later than computed, and
+// a going side (v < 0) is never earlier. With u' = 2^-52, which bounds one operation in any rounding mode, a time is
+// off by u' for the difference, u' for `gap_min`, u' for the inverse, u' for its factor and u' for the product. The
+// factors 1 -+ 2^-48 subtract or add 16 u'. If subnormal numbers are flushed to zero, differences and coordinates are
+// off by 3 * 2^-1022. This is below 2^-60 of 2^-960, which is subtracted from the gap of a coming side, and added to
+// the gap of a going side. Speeds below 2^-1000 and above 2^1000 are replaced by these limits, or by infinity,
+// whichever proves less. So no inverse is subnormal. A product that is subnormal or flushed to zero is off by less than
+// 2^-1021; therefore a box is left out only if it comes later than it goes by more than 2^-1000. Gaps that overflow are
+// at least the largest double. NaN, from 0 times infinity, proves nothing.
 //
-// All steps are monotone: the time of a box inside another box is no less than the other's.
+// All steps are monotone: if box a contains box b, the time of a is at most the time of b.
+// Claim: verify/proofs/lines_and_times.py
 class MovingBox {
   public:
     explicit MovingBox(const Segment& segment) noexcept;
     explicit MovingBox(const Ray& ray) noexcept;
     MovingBox(const Aabb& box, const Vec3& motion) noexcept;
 
-    // Returns a lower bound of the first time, from 0 on, at which the two share a point, but for the rounding of
-    // subnormal times; infinity only if they share none at any time.
+    // Returns a lower bound of the first time from 0 on at which the moving box and `box` share a point, up to the
+    // rounding of subnormal times. Returns infinity only if they share no point at any time.
     double meets_from(const Aabb& box) const noexcept;
 
-    // Returns an upper bound of meets_from for boxes that are met at a time that rounds to at most the limit. A mode
-    // that rounds up may make a subnormal time larger by one step.
+    // Returns an upper bound of meets_from(box) for every box that is met at a time that rounds to at most `limit`. It
+    // may be one step above a subnormal limit, because of modes that round up.
     static double latest(double limit) noexcept { return limit < subnormal_below ? next_up(limit) : limit; }
 
     enum class Course : std::uint8_t { coming, going, resting, without_end };
@@ -52,11 +53,11 @@ class MovingBox {
         Course course = Course::without_end;
         double end = 0;        // p
         std::int64_t key = 0;  // key_of(p)
-        double factor = 0;     // inverse of the speed
+        double factor = 0;     // inverse of the speed, rounded to the safe side
     };
 
-    // Returns three sides whose partners are the minima of boxes, axis by axis, then three whose partners are the
-    // maxima. The latter are mirrored: e and p are the negatives of coordinates.
+    // Returns first three sides whose partners are the minima of other boxes, axis by axis, and then three sides whose
+    // partners are the maxima. For the last three, p and e are negated coordinates.
     const std::array<Side, 6>& sides() const noexcept { return sides_; }
 
     static constexpr double gap_min = 0x1p-960, time_min = 0x1p-1000, number_max = std::numeric_limits<double>::max();
@@ -68,7 +69,7 @@ class MovingBox {
     std::array<Side, 6> sides_;
 };
 
-// The argument order of min and max matters: a time that is NaN changes nothing.
+// Passes the time as the second argument of std::min and std::max: so a time that is NaN changes nothing.
 inline double MovingBox::meets_from(const Aabb& box) const noexcept {
     double from = 0, to = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 6; ++i) {

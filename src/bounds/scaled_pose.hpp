@@ -1,10 +1,10 @@
-// A ScaledPose is a pose in units in which nothing overflows, and little is lost to underflow. Boxes of bodies near the
-// ends of the range of doubles are computed with it.
+// A ScaledPose is a pose in units in which nothing overflows, and little is lost to underflow. It serves to compute the
+// boxes of bodies whose coordinates are very large or very small.
 //
-// Coordinate i of a point is sum_j R_ij v_j + t_i. It is computed times 2^-e, from entries R_ij times 2^(c_j - e),
-// coordinates v_j times 2^-c_j, and t_i times 2^-e. With 2^c_j above all |v_j|, and e the least exponent for which all
-// |R_ij| 2^c_j and |t_i| are below 2^e, all of these are below 1, and the largest sum of magnitudes is 1/4 or more.
-// Scaling is by bits, and exact except for results below 2^-1022, which are zero: with factors below 1 the nine
+// Coordinate i of a point v is sum_j R_ij v_j + t_i. It is computed times 2^-e, from R_ij 2^(c_j - e), v_j 2^-c_j and
+// t_i 2^-e. c_j is chosen such that all |v_j| < 2^c_j, and e is the least exponent such that all |R_ij| 2^c_j and |t_i|
+// are below 2^e. So all these numbers are below 1, and the largest sum of magnitudes is 1/4 or more. Scaling changes
+// exponents by bits. It is exact except for results below 2^-1022, which become zero; with factors below 1 the nine
 // products lose less than 2^-1018, which is below 2^-10 of the term for underflow in point_error_bound.
 #pragma once
 
@@ -18,14 +18,14 @@
 
 namespace ecods {
 
-// A pose need not be scaled if point_error_bound exceeds unscaled_min (1 + factor_max): then the term for underflow is
-// less than 2^-9 of the bound.
+// A pose need not be scaled if point_error_bound exceeds unscaled_min (1 + factor_max): then its term for underflow is
+// less than 2^-9 of the whole bound.
 inline constexpr double unscaled_min = 0x1p-990;
 
 class ScaledPose {
   public:
-    // Takes points with |v_j| <= v_max_j. If coordinates of points are not to be scaled, all c_j are zero except in the
-    // choice of e.
+    // Makes a scaled pose for points v with |v_j| <= v_max_j. If scales_points is false, v_max affects only e: then
+    // points are not scaled (all c_j are zero in the formulas above).
     ScaledPose(const Pose& pose, const Vec3& v_max, bool scales_points) noexcept {
         std::array<int, 3> above{};
         for (std::size_t j = 0; j < 3; ++j) above[j] = exact::exponent_above(v_max[static_cast<Eigen::Index>(j)]);
@@ -48,7 +48,7 @@ class ScaledPose {
         for (int i = 0; i < 3; ++i) pose_.t[i] = exact::times_power(pose.t[i], -exponent_);
     }
 
-    // True if every point is the origin.
+    // True if every posed point is the origin.
     bool is_zero() const noexcept { return exponent_ < none / 2; }
 
     const Pose& pose() const noexcept { return pose_; }
@@ -58,8 +58,8 @@ class ScaledPose {
                 exact::times_power(v[2], -points_[2])};
     }
 
-    // Returns the least box of doubles that contains a box of scaled points. An end is infinite only beyond the largest
-    // double.
+    // Returns the least box of doubles that contains a box of scaled points. An end is infinite only if it is beyond
+    // the largest double.
     Aabb unscaled(const Aabb& box) const noexcept {
         Aabb result;
         for (int k = 0; k < 3; ++k) {

@@ -44,7 +44,7 @@ SegmentBounds::SegmentBounds(const Segment& segment) noexcept : segment_(segment
     }
 }
 
-// Uses that s grows with z if d_y > 0, and with y if d_z < 0.
+// Relies on s = d_y (z - a_z) - d_z (y - a_y): it grows with z if d_y > 0, and with y if d_z < 0.
 inline std::array<double, 2> SegmentBounds::corner(const Aabb& box, int y, int z, int side) const noexcept {
     const bool is_upper_z = sign_[static_cast<std::size_t>(y)] == side;
     const bool is_upper_y = sign_[static_cast<std::size_t>(z)] != side;
@@ -56,7 +56,8 @@ BoxVerdict SegmentBounds::judge(const Aabb& box) const noexcept {
     bool is_certain = true;
     for (int x = 0; x < 3; ++x) {
         const int y = (x + 1) % 3, z = (x + 2) % 3;
-        // A line along a coordinate axis adds no separating axis to the coordinate axes, on which the two overlap.
+        // If d_y or d_z is zero, the cross product is zero or along a coordinate axis. Coordinate axes do not separate
+        // the two, since box() overlaps the box.
         if (sign_[static_cast<std::size_t>(y)] == 0 || sign_[static_cast<std::size_t>(z)] == 0) continue;
         const auto side_of = [&](const std::array<double, 2>& p) {
             return direction_[y] * (p[1] - segment_.a[z]) - direction_[z] * (p[0] - segment_.a[y]);

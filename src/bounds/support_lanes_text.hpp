@@ -1,9 +1,9 @@
-// support_lanes_text.hpp is the text of bounds/support_lanes.hpp, compiled for each instruction set. V is Double4, or
-// Double8 if that is one register (simd/double8.hpp); the same operations in the same order make each lane's numbers.
+// Source that bounds/support_lanes.hpp includes once for each instruction set. V is Double4, or Double8 in the region
+// for AVX-512 (simd/double8.hpp). The operations are in the same order for both, so each lane gets the same bits.
 
 using namespace support;
 
-// ---- four numbers, with the function names that eight have
+// ---- functions of four numbers, with the names that the functions of eight have in simd/double8.hpp
 
 using Mask4 = Vec<std::int64_t, 4>;
 using Int4 = Vec<std::int32_t, 4>;
@@ -30,7 +30,7 @@ ECODS_ALWAYS_INLINE Double4 negative(Double4 x) noexcept {
     using Bits = Vec<std::uint64_t, 4>;
     return bits_as<Double4>(bits_as<Bits>(x) ^ (std::uint64_t{1} << 63));
 }
-// Returns next_up(x), for x that is neither infinite nor NaN.
+// Returns next_up(x) in each lane. x must be neither infinite nor NaN.
 ECODS_ALWAYS_INLINE Double4 next_up_of_finite(Double4 x) noexcept {
     using Bits = Vec<std::uint64_t, 4>;
     const Bits bits = bits_as<Bits>(x), zero{}, one = zero + 1;
@@ -43,7 +43,7 @@ ECODS_ALWAYS_INLINE Int4 either(Mask4 mask, Int4 yes, Int4 no) noexcept {
 ECODS_ALWAYS_INLINE Int4 places_of(Int4 numbers) noexcept {
     return numbers;
 }
-// Loads four pairs of floats, pair i from table[2 places[i]]: the first of each, and the second.
+// Sets first[i] to table[2 places[i]] and second[i] to table[2 places[i] + 1].
 ECODS_ALWAYS_INLINE void load_pairs(const float* table, Int4 places, Double4& first, Double4& second) noexcept {
     const auto two = [&](int i) -> Vec<float, 4> {
         double pairs[2];
@@ -63,7 +63,7 @@ struct Reaches {
     V along, against;
 };
 
-// Returns the values at a corner of each cell: both ends of its direction lie side by side in the table.
+// Returns the table's values h(p) and h(-p) of a grid corner p for each lane; the two are neighbours in the table.
 template <class V, class Places>
 ECODS_ALWAYS_INLINE Reaches<V> table_corner(const float* support, const Places& places) noexcept {
     Reaches<V> reaches;
@@ -71,23 +71,25 @@ ECODS_ALWAYS_INLINE Reaches<V> table_corner(const float* support, const Places& 
     return reaches;
 }
 
-// Returns upper bounds of h(d) and h(-d) for the rows d of R, in units of the scale.
+// Returns upper bounds of h(d) and h(-d), in units of the scale, for one direction d in each lane of (x, y, z).
 //
-// Computes several rows at once, one in each lane of x, y and z: the three of one R, or one of each of several. The
-// table has both ends of each direction side by side: -d is in the same cell, with the same barycentric shares.
+// The directions are rows of a matrix R: the three rows of one R, or the same row of several matrices. -d is in the
+// same cell of the grid as d, with the same barycentric coordinates ("shares"), and the table has h(-p) beside h(p).
 //
-// Bound, with m = |d_axis| and u' = 2^-52: the factor to cells is off by u', a place in the grid by 17 u' (of 8 cells,
-// each a quarter of m wide), its remainder within a cell is exact, and the shares are off by 2 u'. So d and m sum l_k
-// p_k differ by less than 8 u' m on each axis, worth 8 u' m 3 sqrt(3) < 42 u' m; the shares' errors and the roundings
-// of the sum cost 8 u' m |h| < 24 u' m. 512 u' m covers all. For m below 2^-1000, the bound |h(d)| <= 3 m suffices.
+// Bound. Let m = |d_axis| be the largest |coordinate| of d, l_k the shares, p_k the grid corners, and u' = 2^-52. The
+// factor to cells is off by u', a place in the grid by 17 u' (of 8 cells, each a quarter of m wide), its remainder
+// within a cell is exact, and the shares are off by 2 u'. So d and m sum l_k p_k differ by less than 8 u' m on each
+// axis, which changes h by at most 8 u' m 3 sqrt(3) < 42 u' m. The errors of the shares and the roundings of the sum
+// cost 8 u' m |h| < 24 u' m. 512 u' m covers all. For m below 2^-1000, the bound |h(d)| <= 3 m suffices.
+// Claim: verify/proofs/small_bounds.py
 template <class V>
 ECODS_ALWAYS_INLINE Reaches<V> reaches(const Row& support, V x, V y, V z) noexcept {
     const V none{}, one = none + 1;
     const V size_x = absolute(x), size_y = absolute(y), size_z = absolute(z);
     const V size_xy = larger(size_y, size_x), m = larger(size_z, size_xy);
     const auto is_y = is_less(size_x, size_y), is_z = is_less(size_xy, size_z);
-    // by_axis selects by the axis of the largest coordinate. d is that coordinate; `start` is the beginning of its face
-    // in the table.
+    // by_axis() selects a, b or c if x, y or z has the largest magnitude. d is that coordinate, or 1 if it is tiny;
+    // `start` is where the face of that axis begins in the table.
     const auto by_axis = [&](V a, V b, V c) -> V { return either(is_z, c, either(is_y, b, a)); };
     const auto is_tiny = is_less(m, none + tiny);
     const V d = either(is_tiny, one, by_axis(x, y, z));
@@ -104,7 +106,7 @@ ECODS_ALWAYS_INLINE Reaches<V> reaches(const Row& support, V x, V y, V z) noexce
     const Int i = cell(at_i), j = cell(at_j);
     const V f = at_i - doubles_of(i), g = at_j - doubles_of(j);
 
-    // Each cell is cut along its diagonal into two triangles.
+    // Each cell is cut along its diagonal into two triangles; a, b and c are the corners of the triangle that d meets.
     const V low = smaller(f, g), high = larger(g, f);
     const V first_share = 1 - high, across_share = high - low;
     const Int first = (start + side_count * j) + i,
@@ -122,7 +124,7 @@ ECODS_ALWAYS_INLINE Reaches<V> reaches(const Row& support, V x, V y, V z) noexce
 
 // ---- boxes
 
-// Holds several poses, one in each lane, by row and column.
+// Holds the matrices and translations of several poses, one pose in each lane.
 template <class V>
 struct Rows {
     V R[3][3], t[3];
@@ -155,7 +157,8 @@ ECODS_ALWAYS_INLINE Rows<Double4> load_four(const Pose* const* poses) noexcept {
     return rows;
 }
 
-// Stores boxes from their ends in x, y and z: the lower ones, then the upper ones.
+// Stores four boxes. ends[0] to ends[2] are the minima on x, y and z, one box in each lane, and ends[3] to ends[5] the
+// maxima.
 ECODS_ALWAYS_INLINE void store_four(const Double4 (&ends)[6], Aabb* const* boxes) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double), "the lower ends, then the upper ones");
     const Double4 xy_even = shuffle<0, 4, 2, 6>(ends[0], ends[1]), xy_odd = shuffle<1, 5, 3, 7>(ends[0], ends[1]);
@@ -171,7 +174,8 @@ ECODS_ALWAYS_INLINE void store_four(const Double4 (&ends)[6], Aabb* const* boxes
     }
 }
 
-// Sets the ends of boxes and returns true; or returns false, and sets nothing, if a pose must be scaled for its box.
+// Sets `ends` to the minima on x, y and z and then the maxima, one box in each lane, and returns true. Returns false,
+// and sets nothing, if any of the poses must be scaled for its box.
 template <class V>
 ECODS_ALWAYS_INLINE bool find_ends(const TableView& table, const Rows<V>& rows, V (&ends)[6]) noexcept {
     const LocalFrame& frame = table.frame;

@@ -34,8 +34,8 @@ using namespace support;
 constexpr double float_u = 0x1p-23;
 constexpr std::size_t face_size = SupportTableGrid::face_size, direction_count = SupportTableGrid::direction_count;
 
-// Scales the pose to units in which its sums are about one. With v_max between 2^-900 and 2^902, entries of R are below
-// 2^901, and the term for underflow is below 2^-90 of the bound.
+// Computes the box from a pose that is scaled such that its sums are about one. With v_max between 2^-900 and 2^902,
+// entries of R are below 2^901, and the bound's term for underflow is below 2^-90 of the bound.
 [[gnu::noinline]] Aabb scaled_box_by_table(const TableView& table, const Pose& pose) {
     const ScaledPose scaled(pose, table.v_max, false);
     if (scaled.is_zero()) return {};
@@ -47,8 +47,10 @@ constexpr std::size_t face_size = SupportTableGrid::face_size, direction_count =
 
 }  // namespace
 
-// Points are (v - center) / scale, so |y| <= sqrt(3), and |direction| <= sqrt(3). Rounding the point costs 1.01 v of
-// each coordinate (v = 2^-23), the product 3.01 v: below 4.1 v sum |direction_k y_k| <= 4.1 v 3 < 13 v.
+// Computes the table. Its values have rounding errors: points are y = (v - center) / scale, so |y| <= sqrt(3), and
+// |direction| <= sqrt(3). With v = 2^-23, rounding the point to floats costs 1.01 v of each coordinate, and the product
+// 3.01 v: together below 4.1 v sum |direction_k y_k| <= 4.1 v 3 < 13 v.
+// Claim: verify/proofs/float_determinants.py
 SupportTable::SupportTable(const Mesh& mesh, const LocalFrame& frame) : frame_(frame) {
     std::array<Row, 3> directions;
     for (std::size_t at = 0; at < direction_count; ++at) {
@@ -80,8 +82,9 @@ Aabb SupportTable::box(const Pose& pose) const {
 
 namespace {
 
-// Calls `boxes_of` with `width` poses at a time; the last call repeats its last pose if there are fewer. `boxes_of`
-// returns false if a pose must be scaled. Its poses are then computed one by one, and so is a last pose that is alone.
+// Computes the boxes of all poses: calls boxes_of(poses, boxes) with `width` poses at a time. If fewer are left, the
+// last pose is repeated; a single pose that is left is computed by itself. boxes_of() returns false if one of its poses
+// must be scaled; then the boxes of that group are computed one by one.
 template <std::size_t width, class BoxesOf>
 void find_boxes(const SupportTable& table, std::span<const Pose* const> poses, std::span<Aabb* const> boxes,
                 const BoxesOf& boxes_of) {

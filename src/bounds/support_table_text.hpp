@@ -1,6 +1,6 @@
-// support_table_text.hpp is the text of bounds/support_table.cpp, compiled for each instruction set.
+// Source that bounds/support_table.cpp includes once for each instruction set.
 
-// Sets reach[k] = max(reach[k], direction k . y).
+// Sets reach[k] = max(reach[k], direction_k . point), where direction_k = (x[k], y[k], z[k]).
 [[gnu::noinline]] inline void include(const Row& x, const Row& y, const Row& z, const std::array<float, 3>& point,
                                       Row& reach) noexcept {
     for (std::size_t k = 0; k < SupportTableGrid::direction_count; ++k) {
@@ -9,11 +9,12 @@
     }
 }
 
-// Returns the box from the table. The center is posed with the error of a point (exact/point/point.hpp), like any point
-// of the mesh, whose coordinates are below |center| + 2 scale: the bound's term for underflow covers the reach, too.
-// The oriented box reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u'
-// |R| 1 in units of the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has
-// one.
+// Returns the box of a pose, from the table. Bound. The center is posed with the error of a point
+// (exact/point/point.hpp), like any point of the mesh, whose coordinates are below |center| + 2 scale: so the bound's
+// term for underflow covers the reach, too. The oriented box reaches |R axes| half from the center: both products are
+// off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of the scale. The reach that is added to the center has
+// three roundings, below 4 u', and the sum has one.
+// Claim: verify/proofs/small_bounds.py
 ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, Double4 t, const Matrix4& size,
                                       double delta) noexcept {
     const Double4 center = R * load3(table.frame.center.data()) + t;  // the operations of pose_point
@@ -32,7 +33,8 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, 
     return box;
 }
 
-// Sets the box and returns true, unless the pose must be scaled for it.
+// Sets `box` to the box of the pose and returns true. Returns false, and sets nothing, if the pose must be scaled for
+// its box.
 [[gnu::noinline]] inline bool find_box(const TableView& table, const Pose& pose, Aabb& box) noexcept {
     const Matrix4 R = load3(pose.R), size = absolute(R);
     const Double4 t = load3(pose.t.data());
@@ -46,7 +48,8 @@ ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, 
     return true;
 }
 
-// Sets the boxes and returns true; or returns false, and sets nothing, if a pose must be scaled for its box.
+// Sets `boxes` to the boxes of four poses and returns true. Returns false, and sets nothing, if any of the poses must
+// be scaled for its box.
 [[gnu::noinline]] inline bool find_four_boxes(const TableView& table, const std::array<const Pose*, 4>& poses,
                                               const std::array<Aabb*, 4>& boxes) noexcept {
     Double4 ends[6];

@@ -10,8 +10,9 @@
 namespace ecods {
 namespace {
 
-// Returns a fat box: with a margin on all sides, and a further one in the direction of the last move, each at most the
-// extent or half of it, so that queries seldom find a fast box in vain. Any margins are correct.
+// Returns a fat box that contains `box`; `line` is `box`, packed. The margin is an eighth of the greatest extent on all
+// sides. In the direction of the last move, which is estimated from `old`, the previous fat box (if it is not empty),
+// up to half the extent is added. Small margins keep queries from finding the box in vain; any margins are correct.
 PackedBox fatten(const Aabb& box, const PackedBox& line, const PackedBox& old) {
     constexpr double margin = 0.125, steps_ahead = 4;
     const double extent = (box.max - box.min).maxCoeff();
@@ -27,7 +28,7 @@ PackedBox fatten(const Aabb& box, const PackedBox& line, const PackedBox& old) {
         }
     }
     make_packed_box(enlarged, fat);
-    enlarge(fat, line);  // rounding, in whatever direction, must not leave the box outside
+    enlarge(fat, line);  // keeps the box inside, in any rounding mode
     return fat;
 }
 

@@ -1,4 +1,4 @@
-// An index of the boxes that are present, for queries by one box, segment or ball.
+// Indexes the boxes that are present, for queries by a box, a segment or a ball.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,22 @@
 
 namespace ecods {
 
-// Trees of fat boxes. When the index is brought up to date, a box that is still in its fat box costs a comparison, and
-// one that left it gets a new place in a tree. Slots are proxies.
+// Holds trees of fat boxes, which are boxes enlarged by margins; the trees' slots are proxies. At a refresh(), a box
+// that moved within its fat box costs a comparison, and a box that left its fat box gets a new fat box.
 class BoxIndex {
   public:
-    // Notes that the box of this proxy came, went or moved. If memory runs out, the next refresh() builds the index
-    // from scratch.
+    // Notes that the box of this proxy was added, removed or moved since the last refresh(). If memory runs out, the
+    // next refresh() builds the index from scratch.
     void note(ProxyIndex proxy) noexcept;
 
-    // Makes the fat boxes contain the boxes of `table`, and returns the number of boxes examined. Cost: proportional to
-    // the proxies noted since the last call; at times n log n, which is amortized over n / 4 boxes that came or n that
-    // left their fat boxes. If memory runs out, the next call builds the index from scratch.
+    // Brings the index up to date: makes the fat boxes contain the boxes of `table`. Returns the number of boxes
+    // examined. Cost: proportional to the number of proxies noted since the last call. Some calls build the index from
+    // scratch, which costs n log n and is amortized over n / 4 boxes added or n boxes that left their fat boxes. If
+    // memory runs out, the next call builds the index from scratch.
     std::uint64_t refresh(const ProxyTable& table);
 
-    // Appends the proxies whose fat boxes meet `bounds`, and returns the number of box tests, as BoxTree::find does.
-    // Call refresh() first.
+    // Appends to `found` the proxies whose fat boxes meet `bounds`, and returns the number of box tests, as
+    // BoxTree::find does. Call refresh() first.
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<ProxyIndex>& found) const {
         ECODS_ASSERT(is_built_ && noted_.empty());
@@ -41,7 +42,7 @@ class BoxIndex {
 
     std::size_t bytes() const noexcept;
 
-    // Throws BrokenInvariant unless each box is in its fat box, and the trees are valid. Call refresh() first.
+    // Throws BrokenInvariant unless each box is inside its fat box and the trees are valid. Call refresh() first.
     void validate(const ProxyTable& table) const;
 
   private:
@@ -51,9 +52,9 @@ class BoxIndex {
 
     bool is_built_ = false;
     BoxForest forest_;
-    std::vector<PackedBox> fat_lines_;    // by proxy; empty if the proxy is not present
+    std::vector<PackedBox> fat_lines_;    // fat boxes by proxy; empty if the proxy is not present
     std::vector<ProxyIndex> noted_;       // proxies noted since the last refresh, each once
-    std::vector<std::uint8_t> is_noted_;  // by proxy
+    std::vector<std::uint8_t> is_noted_;  // by proxy: 1 if the proxy is in noted_
     std::size_t escaped_since_build_ = 0;
 };
 

@@ -6,7 +6,7 @@
 namespace ecods {
 
 // Sets `found` to the overlapping pairs among the boxes present, ascending, by testing all pairs. Returns the number of
-// tests. This defines the answer of every broad phase.
+// tests. The pairs found here define the right answer of every broad phase.
 std::uint64_t all_pairs(const ProxyTable& table, ProxyPairs& found);
 
 class BruteForce final : public PairFinder {
@@ -17,7 +17,7 @@ class BruteForce final : public PairFinder {
     void validate(const ProxyTable&) const override {}
 
   private:
-    ProxyPairs found_;  // pairs of the update that runs
+    ProxyPairs found_;  // scratch: the pairs that the current update found
 };
 
 }  // namespace ecods

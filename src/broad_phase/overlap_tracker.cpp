@@ -38,15 +38,15 @@ void OverlapTracker::reserve(std::size_t count) {
     if (finder_) finder_->reserve(count);
 }
 
-// Updates the pairs. A failure leaves the table as it was. The finder, which may have changed in part, is dropped, and
-// the next update finds all pairs from scratch.
+// Updates events_. If the update fails, the table stays as it was; the finder, which may have changed in part, is
+// dropped, and the next update finds all pairs from scratch.
 void OverlapTracker::update(PairKeeper& keeper) {
     events_.clear();
     const ProxyChanges& changes = table_.collect();
     const BroadPhaseCounts before = counts_;
     ++counts_.updates;
     if (changes.empty()) {
-        table_.settle();  // forgets boxes that came and went since the last update
+        table_.settle();  // forgets boxes that were added and removed since the last update
         return;
     }
     counts_.moved += changes.added.size() + changes.moved.size();
@@ -67,8 +67,8 @@ void OverlapTracker::update(PairKeeper& keeper) {
     if (!finder_) build_finder();
 }
 
-// Chooses the finder before an update in which all boxes are new, so that the one that suits them keeps its data from
-// the start.
+// Chooses and makes the finder before an update in which all boxes are new, so that the finder that suits these boxes
+// performs this update already.
 void OverlapTracker::begin() {
     if (kind_ == BroadPhaseKind::automatic) choose();
     if (!finder_) finder_ = make_finder(running_);
@@ -82,7 +82,8 @@ void OverlapTracker::choose() noexcept {
     ++counts_.switches;
 }
 
-// Builds a finder after the update is complete. If memory runs out, the next update builds it.
+// Builds the finder from the boxes after an update. If memory runs out, finder_ stays null, and the next update tries
+// again.
 void OverlapTracker::build_finder() noexcept {
     try {
         auto made = make_finder(running_);

@@ -1,5 +1,5 @@
-// Keeps boxes and reports the pairs whose overlap began and ended; also finds which boxes a box, a segment or a ball
-// meets. It is a broad phase without the list of pairs, which its user keeps.
+// Keeps boxes and reports the pairs whose overlap began or ended; also finds which boxes a box, a segment or a ball
+// meets. An OverlapTracker is a broad phase without a list of pairs: its user keeps the pairs.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@
 
 namespace ecods {
 
-// The functions promise the same as the functions of BroadPhase with these names.
+// Functions without a comment promise what the functions of the same names promise in BroadPhase.
 class OverlapTracker {
   public:
     explicit OverlapTracker(BroadPhaseKind kind);
@@ -49,13 +49,14 @@ class OverlapTracker {
     std::size_t size() const noexcept { return table_.size(); }
 
     // Sets events() to the differences between the pairs that `keeper` has and the pairs that overlap now. If memory
-    // runs out there are no events, and the next update finds all changes since the last one that succeeded.
+    // runs out, events() is empty, and the next update reports all changes since the last update that succeeded.
     void update(PairKeeper& keeper);
 
-    // Returns the events of the last update, ascending, each once.
+    // Returns the pairs that began and the pairs that ended with the last update: two ascending lists without
+    // duplicates.
     const PairEvents& events() const noexcept { return events_; }
 
-    // Clears the events; allowed once the keeper of the pairs has read them.
+    // Clears the events. Call only after the keeper of the pairs has read them.
     void clear_events() noexcept { events_.clear(); }
 
     std::vector<ProxyIndex> find(const Aabb& box) const;
@@ -68,19 +69,20 @@ class OverlapTracker {
     void visit_along(const Aabb& box, const Vec3& motion, double limit,
                      const std::function<double(ProxyIndex)>& visit) const;
 
-    // Appends the pairs that would overlap if each proxy in `chosen` had the box in `boxes` in place of its own, and of
-    // which at least one is chosen; in no order, each once. The chosen proxies must be present, each listed once. Cost:
-    // sorting the chosen into trees, and a query for each chosen box, or for each box if many are chosen.
+    // Appends to `found` the pairs that would overlap if each proxy in `chosen` had the box at the same place in
+    // `boxes`, not its own. Only pairs with at least one chosen proxy are appended, each once, in no order. The chosen
+    // proxies must be present, each listed once. Cost: building trees of the chosen boxes, and a query for each chosen
+    // box, or for each other box if many are chosen.
     void find_pairs_with(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
 
-    // Appends only the pairs of which both are chosen.
+    // Does what find_pairs_with() does, but appends only pairs of two chosen proxies.
     void find_pairs_among(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
     FindCounts find_counts() const noexcept;
 
     const BroadPhaseCounts& counts() const noexcept { return counts_; }
     std::size_t bytes() const noexcept;
 
-    // Throws BrokenInvariant. Does not check the pairs.
+    // Throws BrokenInvariant if the finder or the index does not fit the boxes. Does not check the pairs.
     void validate() const;
 
   private:
@@ -102,14 +104,15 @@ class OverlapTracker {
     void build_finder() noexcept;
 
     BroadPhaseKind kind_;
-    BroadPhaseKind running_;  // the way in use; differs from kind_ if that is automatic
+    BroadPhaseKind running_;  // kind of finder in use; differs from kind_ only if kind_ is automatic
     ProxyTable table_;
     PairEvents events_;
     std::unique_ptr<PairFinder> finder_;  // null after a failure
     BroadPhaseCounts counts_;
 
-    // The index is built and brought up to date by queries, which are const. Only queries read it, and non-const
-    // functions do not run concurrently with them: so a query that finds it up to date needs no lock.
+    // Queries, which are const, build the index and bring it up to date while they hold the mutex. Only queries read
+    // the index, and no non-const function runs at the same time as a query. So a query may read the index without the
+    // mutex if index_is_current_ is set.
     mutable std::mutex index_mutex_;
     mutable std::unique_ptr<BoxIndex> index_;
     mutable std::atomic<bool> index_is_current_ = false;

@@ -10,7 +10,7 @@
 namespace ecods {
 namespace {
 
-// A box in the form of a query, as SegmentBounds and BallBounds are.
+// Holds the box of a query and tests other boxes against it, with the interface of SegmentBounds and BallBounds.
 class BoxBounds {
   public:
     explicit BoxBounds(const Aabb& box) : keys_(key_box(box)) { make_reach(packed_box(keys_), reach_); }
@@ -31,7 +31,7 @@ const Bounds& for_trees(const Bounds& bounds) {
     return bounds;
 }
 
-// The number of boxes up to which testing all costs no more than trees do.
+// Up to this number of boxes, testing each box costs no more than searching trees.
 constexpr std::size_t scanned_max = 64;
 
 }  // namespace
@@ -41,8 +41,8 @@ bool OverlapTracker::has_trees() const noexcept {
            table_.size() > scanned_max;
 }
 
-// True if trees serve queries about near boxes. Trees pay for more kinds here than in has_trees(), since scanning all
-// boxes for near ones costs more than it does for find(), and far more for near pairs.
+// True if queries about near boxes use trees. More kinds use trees here than in has_trees(): without trees, a query for
+// near boxes costs more than find(), and a query for near pairs far more.
 bool OverlapTracker::has_near_trees() const noexcept {
     return kind_ != BroadPhaseKind::brute_force && table_.size() > scanned_max;
 }

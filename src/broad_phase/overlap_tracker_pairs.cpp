@@ -9,8 +9,8 @@ void OverlapTracker::find_pairs_among(std::span<const ProxyIndex> chosen, std::s
     count_find(ChosenBoxes(chosen, boxes).find_pairs_among(found));
 }
 
-// Queries all boxes with each chosen one if fewer than one box in 16 is chosen. Otherwise queries the chosen boxes with
-// every other box, which costs less per query.
+// If fewer than one box in 16 is chosen, looks up each chosen box among all boxes. Otherwise looks up each other box
+// among the chosen boxes, which costs less per query.
 void OverlapTracker::find_pairs_with(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes,
                                      ProxyPairs& found) const {
     constexpr std::size_t few = 16;

@@ -1,5 +1,5 @@
-// Visits the boxes near a box or near each other, and the boxes that a segment, a ray or a moving box may meet, best
-// first.
+// Visits the boxes near a box, the pairs of boxes near each other, and the boxes that a segment, a ray or a moving box
+// may meet, best first.
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -16,8 +16,9 @@
 namespace ecods {
 namespace {
 
-// Visits all boxes in ascending order of lower_of(box), up to greatest(limit), as the tree walks do. Returns the number
-// of box tests.
+// Visits boxes as the tree walks do, without trees: the boxes whose lower bound lower_of(box) is at most
+// greatest(limit), in ascending order of that bound. greatest(x) is the greatest lower bound that a limit x admits.
+// Each visit returns a new limit, which counts if it is smaller. Returns the number of box tests.
 template <class LowerOf, class Greatest>
 std::uint64_t scan(const ProxyTable& table, double limit, const LowerOf& lower_of, const Greatest& greatest,
                    const std::function<double(ProxyIndex)>& visit) {
@@ -69,7 +70,7 @@ void OverlapTracker::visit_near_pairs(double limit, const std::function<double(P
 void OverlapTracker::visit_along(const MovingBox& moving, double limit,
                                  const std::function<double(ProxyIndex)>& visit) const {
     const auto lower_of = [&](const Aabb& box) { return moving.meets_from(box); };
-    // Caps the limit at number_max: boxes that are never met have an infinite time.
+    // Caps the limit at number_max, since a box that is never met has an infinite time and must not be visited.
     const auto greatest = [](double time) { return std::min(MovingBox::latest(time), MovingBox::number_max); };
     count_find(has_near_trees() ? walk_along(current_index().trees(), table_.boxes(), moving, limit, visit)
                                 : scan(table_, limit, lower_of, greatest, visit));

@@ -1,4 +1,5 @@
-// distance_below is a lower bound of the distance of two boxes; it is used to leave boxes out, and decides nothing.
+// distance_below returns a lower bound of the distance of two boxes. It serves to leave out boxes that are too far
+// away; no answer follows from it alone.
 #pragma once
 
 #include <algorithm>
@@ -10,19 +11,20 @@
 namespace ecods {
 
 // Returns a lower bound of the distance of two closed boxes, in every floating-point environment; infinity only if the
-// distance exceeds the largest double. The bound of boxes that contain these is no greater.
+// distance exceeds the largest double. Larger boxes that contain a and b never get a greater bound than a and b.
 //
-// With u' = 2^-52, which bounds an operation in any rounding mode, a gap has a relative error of u', its square of 3.01
-// u', the sum of three of 5.02 u', the root of 3.52 u' and the product at the end of 4.53 u'; the factor takes off 16
-// u'. Gaps below 2^-500 count as none and gaps above 2^500 as 2^500, so that no square overflows or is subnormal; ends
-// that were flushed to zero are off by 2^-1022, which is 2^-522 of a gap that counts there. The largest gap alone is a
-// bound at any scale: it may be as small as 2^-960, of which 2^-1022 is 2^-62. All steps are monotone, so boxes within
-// these have no smaller bound.
+// Let u' = 2^-52, which bounds the relative error of one operation in any rounding mode. A gap has a relative error of
+// u', its square of 3.01 u', the sum of three squares of 5.02 u', the root of 3.52 u' and the product at the end of
+// 4.53 u'. The factor 1 - 2^-48 subtracts 16 u'. In the sum, gaps below 2^-500 count as 0 and gaps above 2^500 as
+// 2^500, so no square overflows or is subnormal. An end that is flushed to zero changes by at most 2^-1022, which is
+// 2^-522 of a gap of 2^-500. The largest gap alone is a lower bound, too, at any scale: it counts from 2^-960 on, of
+// which 2^-1022 is 2^-62. All steps are monotone, so boxes that contain a and b get no greater bound.
+// Claim: verify/proofs/small_bounds.py
 inline double distance_below(const Aabb& a, const Aabb& b) noexcept {
     constexpr double factor = 1 - 0x1p-48, gap_min = 0x1p-500, gap_max = 0x1p500, largest_min = 0x1p-960;
     double largest = 0, sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        // Infinite ends may give NaN, which is no gap.
+        // Infinite ends may give NaN, which fails the comparison, so it counts as no gap.
         const double gap = std::max(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]);
         if (!(gap >= largest_min)) continue;
         largest = std::max(largest, gap);

@@ -1,4 +1,5 @@
-// Features have keys, and pairs of features an order in which one of several is chosen.
+// A FeatureKey identifies a vertex, edge or face of a mesh. rank() orders pairs of features, to choose among pairs that
+// tie.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +11,14 @@
 
 namespace ecods {
 
-// Names a vertex, an edge or a face by its vertices or its triangle: the same key from every triangle that has the
-// feature.
+// Identifies a vertex or an edge by its vertices, and a face by its triangle. All triangles that share a feature give
+// the same key.
 struct FeatureKey {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    // A vertex has its index and none; an edge the indices of its two vertices, the lesser first; a face its triangle's
-    // index twice. Ends of an edge differ, so a face never has the key of a vertex or an edge.
+    // first and second are, for a vertex, its index and `none`; for an edge, the indices of its two vertices, the
+    // lesser first; for a face, the index of its triangle twice. The two vertices of an edge differ, so a face never
+    // has the key of an edge.
     std::uint32_t first = none;
     std::uint32_t second = none;
 
@@ -24,7 +26,7 @@ struct FeatureKey {
     friend auto operator<=>(const FeatureKey&, const FeatureKey&) = default;
 };
 
-// Returns the key of a feature of a triangle with these corners.
+// Returns the key of a feature of a triangle whose vertices are `corners`.
 inline FeatureKey feature_key(const Feature& feature, const Triangle& corners) noexcept {
     const std::uint32_t corner = corners[feature.corner], next = corners[(feature.corner + 1) % 3];
     switch (feature.kind) {
@@ -37,7 +39,8 @@ inline FeatureKey feature_key(const Feature& feature, const Triangle& corners) n
     }
 }
 
-// Returns the feature with this key, by its least corner in a triangle that has it.
+// Returns the feature with this key, named by `triangle`, which must have it, and by its lowest corner there. `corners`
+// are the triangle's vertices.
 inline Feature feature_of(const FeatureKey& key, std::uint32_t triangle, const Triangle& corners) noexcept {
     if (key.first == key.second) return {Feature::Kind::face, triangle, 0};
     Feature result{key.is_vertex() ? Feature::Kind::vertex : Feature::Kind::edge, triangle, 0};
@@ -45,7 +48,8 @@ inline Feature feature_of(const FeatureKey& key, std::uint32_t triangle, const T
     return result;
 }
 
-// Names a feature of each of two meshes, by a triangle that has it and a corner; `intersecting` names two faces.
+// Names one feature of each of two meshes: a triangle that has the feature, and a corner. If `kind` is intersecting, a
+// and b are faces.
 struct FeatureNames {
     ClosestKind kind = ClosestKind::intersecting;
     Feature a, b;
@@ -53,8 +57,8 @@ struct FeatureNames {
     friend bool operator==(const FeatureNames&, const FeatureNames&) = default;
 };
 
-// Returns the rank of a pair of features: among pairs that tie, the least rank is chosen. The pair is anything with a
-// kind and two features. ClosestPoints, FirstContact and close_features() promise this order.
+// Returns the rank of a pair of features: among pairs that tie, the pair of the least rank is chosen. Pair is any type
+// with members kind, a and b. ClosestPoints, FirstContact and close_features() promise this order.
 template <class Pair>
 auto rank(const Pair& f) noexcept {
     return std::tuple(f.kind, f.a.triangle, f.a.corner, f.b.triangle, f.b.corner, f.a.kind);

@@ -1,4 +1,4 @@
-// Numbers that are not finite are found by their bits, so that no floating-point environment can hide a NaN.
+// Numbers that are not finite are found by their bits, so the result does not depend on the floating-point environment.
 #pragma once
 
 #include <bit>
@@ -16,14 +16,14 @@ constexpr bool is_finite(double x) noexcept {
     return (std::bit_cast<std::uint64_t>(x) & exponent_mask) != exponent_mask;
 }
 
-// True if all of [R t] is finite. Tests two entries at a time: one added to an exponent of all ones carries into the
-// sign.
+// True if all entries of [R t] are finite. Tests two entries at a time: an exponent is all ones if and only if adding
+// one to it carries into the sign bit.
 inline bool is_finite(const Pose& pose) noexcept {
     using Two = Vec<std::uint64_t, 2>;
     constexpr std::uint64_t exponent_mask = std::uint64_t{0x7ff} << 52, exponent_one = std::uint64_t{1} << 52;
     Two carries{};
     const auto add_entries = [&](const double* entries, int count) {
-        const auto* const bits = reinterpret_cast<const std::uint64_t*>(entries);  // read as vectors, which may alias
+        const auto* const bits = reinterpret_cast<const std::uint64_t*>(entries);  // vectors may alias doubles
         for (int i = 0; i < count; i += 2) carries |= (load_anywhere<Two>(bits + i) & exponent_mask) + exponent_one;
     };
     add_entries(pose.R.data(), 8);
@@ -39,7 +39,7 @@ struct InvalidEntry {
     double value;
 };
 
-// Returns the first entry of [R t], row by row, that is not finite.
+// Returns the first entry of [R t], row by row, that is not finite; nullopt if all are finite.
 inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
     if (is_finite(pose)) return std::nullopt;
     for (int row = 0; row < 3; ++row) {

@@ -1,4 +1,5 @@
-// A KeyBox is a box as integers, so that overlaps of boxes cannot depend on the floating-point environment.
+// A KeyBox is a box whose ends are keys of doubles (base/double_key.hpp). Comparisons of KeyBoxes do not depend on the
+// floating-point environment.
 #pragma once
 
 #include <array>

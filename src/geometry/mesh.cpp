@@ -26,7 +26,8 @@ void require_finite(std::span<const Vec3> vertices) {
     }
 }
 
-// Returns the number of groups of three numbers, `stride` apart.
+// Returns the number of groups of three numbers in a list in which each group begins `stride` numbers after the one
+// before. The numbers between groups may be missing after the last group. Throws InvalidMesh if the numbers do not fit.
 std::size_t count_groups(std::size_t number_count, std::size_t stride) {
     if (stride < 3) throw invalid_layout(number_count, stride);
     const std::size_t rest = number_count % stride;
@@ -38,7 +39,8 @@ double exact_double(double x) noexcept {
     return x;
 }
 
-// Converts exactly. A plain conversion would take subnormal floats for zero if the processor is set to do so.
+// Converts a float to the double of the same value. If the processor takes subnormal floats for zero, a plain
+// conversion would lose them.
 double exact_double(float x) noexcept {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     if ((bits & 0x7f800000u) != 0) return x;

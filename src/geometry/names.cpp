@@ -1,4 +1,4 @@
-// Names of the kinds of results, as messages and reports write them.
+// Stream operators write the names of results, as messages and reports show them.
 #include <array>
 #include <ostream>
 
@@ -13,13 +13,13 @@ std::ostream& operator<<(std::ostream& out, Relation relation) {
 }
 
 std::ostream& operator<<(std::ostream& out, ClosestKind kind) {
-    constexpr std::array names{"vertex and vertex", "vertex and edge", "vertex and face", "edge and edge",
-                               "intersecting"};
+    constexpr std::array names{"vertex and vertex", "vertex and edge", "vertex and face",
+                               "edge and edge",     "intersecting",    "contained"};
     return write_name(out, kind, names);
 }
 
 std::ostream& operator<<(std::ostream& out, HitKind kind) {
-    constexpr std::array names{"front", "back", "face", "edge", "vertex", "along"};
+    constexpr std::array names{"front", "back", "face", "edge", "vertex", "along", "inside"};
     return write_name(out, kind, names);
 }
 

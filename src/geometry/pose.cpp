@@ -12,7 +12,8 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t
     return {Eigen::Quaternion<double, Eigen::DontAlign>(w, x, y, z).toRotationMatrix(), t};
 }
 
-// Compares bits except for the sign of a zero: a NaN is no zero, and neither is a subnormal in any environment.
+// Throws InvalidArgument unless the row is (0, 0, 0, 1). Compares bits, ignoring the sign of zeros, so that neither NaN
+// nor a subnormal number passes as zero in any floating-point environment.
 void Pose::require_last_row(double x, double y, double z, double w) {
     const double row[] = {x, y, z, w};
     for (int column = 0; column < 4; ++column) {

@@ -1,4 +1,5 @@
-// same_bits compares poses by their bits.
+// same_bits compares poses by their bits, not by their values: if the processor takes subnormal numbers for zero,
+// different values may compare equal.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +9,18 @@
 
 namespace ecods {
 
-// Compares bits, not values: if the processor takes subnormals for zero, different values compare equal.
+// True if all entries of a and b have the same bits.
 inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {
     using Two = Vec<std::uint64_t, 2>;
-    const auto* const x = reinterpret_cast<const std::uint64_t*>(a.data());  // read as vectors, which may alias
+    const auto* const x = reinterpret_cast<const std::uint64_t*>(a.data());  // vectors may alias doubles
     const auto* const y = reinterpret_cast<const std::uint64_t*>(b.data());
     const auto differ = [&](int i) -> Two { return load_anywhere<Two>(x + i) ^ load_anywhere<Two>(y + i); };
     const Two low = differ(0) | differ(2), high = differ(4) | differ(6);
     return any_bits(low | high | differ(7)) == 0;
 }
 
-// Compares translations first: those of moving bodies usually differ.
+// True if all entries of a and b have the same bits. Compares translations first, because the translation of a moving
+// body usually changes.
 inline bool same_bits(const Pose& a, const Pose& b) noexcept {
     using Two = Vec<std::uint64_t, 2>;
     const auto* const x = reinterpret_cast<const std::uint64_t*>(a.t.data());

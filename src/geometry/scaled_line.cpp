@@ -15,20 +15,20 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double length_min = 0x1p-900;
-constexpr double coordinate_max = 0x1p1021;  // differences of larger ones may overflow
+constexpr double coordinate_max = 0x1p1021;  // differences of larger coordinates may overflow
 
-// Returns the exponent of a number that is not zero; -1023 for a subnormal number.
+// Returns the exponent of x, or -1023 if x is subnormal. x must not be zero.
 int exponent_of(double x) noexcept {
     return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) - 1023;
 }
 
-// Returns 2^e, which must be a normal number.
+// Returns 2^e. The result must be a normal number.
 double power_of_two(int e) noexcept {
     return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
 }
 
-// Holds lower and upper bounds of x 2^e, x >= 0. Made from bits: nothing is rounded, and no subnormal is taken for
-// zero.
+// Holds a lower and an upper bound of x 2^e, for x >= 0. The bounds are computed from the bits of x, without rounding,
+// and no subnormal number is taken for zero.
 struct Scaled {
     double low, high;
 };
@@ -47,8 +47,10 @@ Scaled scaled(double x, int e) noexcept {
 
 }  // namespace
 
-// Bound. With u' = 2^-52, a difference of two coordinates has a relative error of u'. Numbers that underflow, or are
-// subnormal and taken for zero, lose less than 2^-1020 before the direction is scaled, by at most 2^900.
+// Sets the scaled direction d and its error bound. With u' = 2^-52, a difference of two coordinates has a relative
+// error of u'. Numbers that underflow, or are subnormal and taken for zero, add an error of less than 2^-1020 before
+// the direction is scaled, by at most 2^900.
+// Claim: verify/proofs/lines_and_times.py
 ScaledLine::ScaledLine(const Line& line) noexcept : a(line.a) {
     is_point = !line.is_ray;
     int halvings = 0;

@@ -1,4 +1,4 @@
-// for_each_used_vertex visits the vertices of a mesh that its triangles use.
+// for_each_used_vertex visits the vertices of a mesh that belong to a triangle.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// Calls visit(index) for each vertex that a triangle uses, for some of them more than once, in any order.
+// Calls visit(index) for each vertex that a triangle uses, in any order. A vertex may be visited more than once.
 template <class Visit>
 void for_each_used_vertex(const Mesh& mesh, const Visit& visit) {
     if (mesh.uses_all_vertices()) {

@@ -1,4 +1,4 @@
-// Callers' arguments are checked before they are used: typed errors name the first coordinate that is bad.
+// Arguments of public functions are checked before use. The errors name the first coordinate that is bad.
 #include <limits>
 
 #include "base/double_key.hpp"
@@ -11,7 +11,8 @@ namespace ecods {
 
 namespace {
 
-// Compares keys: subnormal numbers may be taken for zero, and the key of a NaN is beyond that of the infinities.
+// True if min <= max and neither is NaN. Compares keys: comparisons of doubles may take subnormal numbers for zero. The
+// key of NaN is beyond the keys of the infinities.
 bool is_interval(double min, double max) noexcept {
     constexpr std::int64_t most = key_of(std::numeric_limits<double>::infinity());
     return -most <= key_of(min) && key_of(min) <= key_of(max) && key_of(max) <= most;
@@ -50,7 +51,8 @@ void validate(const Ray& ray) {
         if (!is_finite(ray.origin[axis])) throw invalid_origin(axis, ray.origin[axis]);
         if (!is_finite(ray.direction[axis])) throw invalid_direction(axis, ray.direction[axis]);
     }
-    // Compares bits: if subnormal numbers are taken for zero, a direction of subnormal numbers is still a direction.
+    // Compares keys: a direction of subnormal numbers is not zero, even if the processor takes subnormal numbers for
+    // zero.
     if (key_of(ray.direction[0]) == 0 && key_of(ray.direction[1]) == 0 && key_of(ray.direction[2]) == 0) {
         throw no_direction();
     }

@@ -1,4 +1,4 @@
-// Numbers, points, poses and names as words of a line of text, in every locale the same.
+// Numbers, points, poses and names are written as words of a line of text, which does not depend on the locale.
 #pragma once
 
 #include <concepts>
@@ -19,7 +19,7 @@ struct Hex {
 };
 
 void append(std::string& text, Hex x);
-void append(std::string& text, double x);  // hexadecimal; infinity is inf
+void append(std::string& text, double x);  // hexadecimal; infinity is "inf"
 void append(std::string& text, std::string_view word);
 void append(std::string& text, BodyId body);
 void append(std::string& text, const CollisionFilter& filter);
@@ -34,7 +34,8 @@ void append(std::string& text, const std::optional<Value>& value) {
     value ? append(text, *value) : append(text, std::string_view("none"));
 }
 
-// Appends words, a space behind each; and ends a line in place of the space behind its last word.
+// append_words() appends each word and a space after it. end_line() replaces the space after the last word by a line
+// end. append_line() does both.
 template <class... Words>
 void append_words(std::string& text, const Words&... words) {
     ((append(text, words), text.push_back(' ')), ...);
@@ -48,7 +49,7 @@ void append_line(std::string& text, const Words&... words) {
     end_line(text);
 }
 
-// Writes text as it is: no flag, width or locale of the stream has a part in it.
+// Writes the text unchanged, whatever flags, width or locale the stream has.
 inline void write_text(std::ostream& out, std::string_view text) {
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }

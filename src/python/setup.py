@@ -1,4 +1,4 @@
-"""Builds the module with CMake, library included, and packs it. README.md at the top shows the commands.
+"""Builds the library and the module with CMake, and packs them. README.md at the top of the project shows the commands.
 
 ECODS_PYTHON_PACKAGE: a folder with a package that CMake has built (build/release/python); it is packed without a build.
 """
@@ -59,7 +59,7 @@ setup(
     package_data={"ecods": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("ecods._ecods", [])],
     cmdclass={"build_ext": BuildWithCMake},
-    # Keeps written files out of the sources.
+    # Keeps files that the build writes out of the source folders.
     options={"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}},
     zip_safe=False,
 )

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes a stub with the types of the module, from its signatures, for editors and type checkers; and _ecods.pyi.
+"""Writes stubs for editors and type checkers, from the signatures of the module: OUT, and _ecods.pyi beside it.
 
 usage: PYTHONPATH=FOLDER_OF_THE_PACKAGE stubs.py OUT
 """
@@ -104,7 +104,7 @@ def main(out):
             made += function(name, thing.__doc__) + [""]
     with open(out, "w", encoding="utf-8") as file:
         file.write("\n".join(made))
-    # Stub of _ecods, from which the package's own files import.
+    # Writes the stub of _ecods, from which the package's own files import.
     names = [name for name in ecods.__all__ if hasattr(ecods._ecods, name)]
     with open(pathlib.Path(out).with_name("_ecods.pyi"), "w", encoding="utf-8") as file:
         file.write("\n".join(["# Written by stubs.py.", *[f"from . import {name} as {name}" for name in names], ""]))

@@ -7,6 +7,7 @@
 
 #include "trace/trace_reader.hpp"
 #include "world/answer_digest.hpp"
+#include "world/world_access.hpp"
 
 namespace ecods {
 namespace {
@@ -25,13 +26,14 @@ std::string hex_text(std::uint64_t number) {
     return text;
 }
 
-// Makes the calls of a trace in a world of its own.
+// Makes the calls of a trace in a new world, and compares the answers.
 class Replayer {
   public:
     Replayer(std::istream& in, const ReplayOptions& options)
         : reader_(in),
           options_(options),
           world_({.broad_phase = options.broad_phase.value_or(reader_.broad_phase()), .executor = options.executor}) {
+        if (reader_.is_of_version_1()) WorldAccess::take_solids_for_surfaces(world_);
         if (options_.set_up) options_.set_up(world_);
     }
     ReplayReport run();
@@ -123,7 +125,8 @@ void Replayer::make(const Row<calls::InOrder>& traced) {
     Row<calls::InOrder>::fields(KeepIds{{}, *this}, traced, call);
 }
 
-// Compares the digests of the answers if the replayed world has the ids of the trace, since ties go to the least ids.
+// Asks the question. Compares the digest of the answer with the trace's only if the world has the ids of the trace,
+// since ties are decided by the least ids.
 template <template <class> class Row>
 void Replayer::ask(const Row<calls::InOrder>& traced) {
     const std::uint64_t answer = AnswerDigest::of(in_world(traced).ask(world_));

@@ -1,6 +1,7 @@
-// A dispatched function is compiled for several instruction sets; each call runs the version of the set in use.
+// A dispatched function is compiled once for each instruction set; a call runs the version for the set in use.
 //
-// Versions differ in width only: nothing is contracted (-ffp-contract=off), so every version gives the same bits.
+// All versions give the same bits: they differ only in the width of registers, and none is contracted to fused
+// multiply-add (-ffp-contract=off).
 #pragma once
 
 #include <type_traits>
@@ -22,8 +23,8 @@ ECODS_ALWAYS_INLINE decltype(auto) call(First&& first, Rest&&... rest) {
     }
 }
 
-// The on_... functions are the versions: each compiles the body that is inlined into it for its instruction set. They
-// are never inlined themselves, so that a caller has only the choice among them.
+// Each on_...() function inlines `body` and compiles it for one instruction set. The on_...() functions are not inlined
+// themselves, so their callers contain only the choice among them.
 template <auto body, class... Arguments>
 [[gnu::noinline]] decltype(auto) on_baseline(Arguments&&... arguments) {
     return call<body>(std::forward<Arguments>(arguments)...);
@@ -39,8 +40,8 @@ template <auto body, class... Arguments>
 }
 #endif
 
-// Calls `body`, compiled for the instruction set in use. `body` must be ECODS_ALWAYS_INLINE, and so must all functions
-// that have its loops. Cost: a load and a branch or two.
+// Calls `body`, compiled for the instruction set in use. `body`, and every function with a loop that it calls, must be
+// ECODS_ALWAYS_INLINE. Cost: a load and one or two branches.
 template <auto body, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) dispatch(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH
@@ -51,10 +52,10 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch(Arguments&&... arguments) {
     return on_baseline<body>(std::forward<Arguments>(arguments)...);
 }
 
-// Calls one of two bodies that are written for a width of registers: `four_wide` for registers of four floats, which
-// every x86-64 has, `eight_wide` for registers of eight. The set is read here, without a function call: with one, the
-// caller of a short body keeps its arguments in memory across it (18 instructions each time in place of 6, 2 % of a
-// query of meshes).
+// Calls one of two functions that are written for a width of registers: `four_wide` for registers of four floats, which
+// every x86-64 has, `eight_wide` for registers of eight. The instruction set is read inline: if it were read by a
+// function call, the caller of a short body would keep its arguments in memory across that call (18 instructions in
+// place of 6 each time, 2 % of a query of meshes).
 template <auto four_wide, auto eight_wide, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH
@@ -65,19 +66,26 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
     return on_baseline<four_wide>(std::forward<Arguments>(arguments)...);
 }
 
-// Names a function that a text has in the region of each set (simd/each_set.hpp), as arguments of call_widest.
+// Lists the versions of a function that simd/each_set.hpp has compiled, one for each set, as template arguments of
+// call_widest().
 #if ECODS_CAN_DISPATCH
 #define ECODS_OF_EACH_SET(...) baseline::__VA_ARGS__, avx2::__VA_ARGS__
 #else
 #define ECODS_OF_EACH_SET(...) baseline::__VA_ARGS__, baseline::__VA_ARGS__
 #endif
 
-// Calls the function of the instruction set in use. Most texts have no AVX-512 version and use AVX2's.
+// Makes a type of a function. With g++'s undefined-behaviour sanitizer, a comparison of two addresses of functions is
+// no constant expression; that of their types is one.
+template <auto function>
+struct Named {};
+
+// Calls the version of a function for the instruction set in use. Most functions have no version for AVX-512: then the
+// version for AVX2 is called.
 template <auto of_baseline, auto of_avx2, auto of_avx512 = of_avx2, class... Arguments>
 ECODS_ALWAYS_INLINE decltype(auto) call_widest(Arguments&&... arguments) {
 #if ECODS_CAN_DISPATCH
     const InstructionSet in_use = read_instruction_set();
-    if constexpr (of_avx512 != of_avx2) {
+    if constexpr (!std::is_same_v<Named<of_avx512>, Named<of_avx2>>) {
         if (in_use == InstructionSet::avx512) return of_avx512(std::forward<Arguments>(arguments)...);
     }
     if (in_use != InstructionSet::baseline) return of_avx2(std::forward<Arguments>(arguments)...);

@@ -1,5 +1,6 @@
-// Double8 is a register of eight doubles, on processors that have it: two vectors of four side by side, or eight
-// numbers of one kind. Code that uses it must be in the same region, as in simd/wide.hpp.
+// Double8 is a register of eight doubles, on processors with AVX-512. It holds two vectors of four side by side (its
+// "halves"), or eight numbers of one kind. Code that uses Double8 must be between ECODS_BEGIN_WIDE and ECODS_END_REGION
+// (simd/region.hpp).
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ ECODS_BEGIN_WIDE
 namespace ecods::wide {
 
 using Double8 = Vec<double, 8>;
-using Mask8 = __mmask8;  // a bit for each lane
+using Mask8 = __mmask8;  // bit i is lane i
 using Int8 = Vec<std::int32_t, 8>;
 
 // ---- halves
@@ -29,19 +30,20 @@ ECODS_ALWAYS_INLINE Vec<double, 4> high_half(Double8 v) noexcept {
     return bits_as<Vec<double, 4>>(_mm512_maskz_extractf64x4_pd(0xff, v, 1));
 }
 
-// Returns one of the two halves (0 and 1) as the low half, and one as the high half.
+// Returns a vector whose low half is half `low` of v, and whose high half is half `high` of v (0 or 1 each).
 template <int low, int high>
 ECODS_ALWAYS_INLINE Double8 halves(Double8 v) noexcept {
     return _mm512_maskz_shuffle_f64x2(0xff, v, v, _MM_SHUFFLE(2 * high + 1, 2 * high, 2 * low + 1, 2 * low));
 }
 
-// Copies one lane of each half into all lanes of that half.
+// Copies lane `lane` of each half into all four lanes of that half.
 template <int lane>
 ECODS_ALWAYS_INLINE Double8 each(Double8 v) noexcept {
     return _mm512_maskz_permutex_pd(0xff, v, lane * 0x55);
 }
 
-// both() puts a number into all lanes of each half, swapped() exchanges the halves, and sum() adds three lanes of each.
+// both() sets all lanes of the low half to `low` and of the high half to `high`. swapped() exchanges the halves. sum()
+// adds lanes 0, 1 and 2 of each half; all lanes of the half get the sum.
 ECODS_ALWAYS_INLINE Double8 both(double low, double high) noexcept {
     return join(broadcast<Vec<double, 4>>(low), broadcast<Vec<double, 4>>(high));
 }
@@ -52,7 +54,7 @@ ECODS_ALWAYS_INLINE Double8 sum(Double8 v) noexcept {
     return (each<0>(v) + each<1>(v)) + each<2>(v);
 }
 
-// Load three numbers into each half, whose fourth lane is zero.
+// Load three numbers into the first three lanes of each half. The fourth lane of each half is zero.
 ECODS_ALWAYS_INLINE Double8 load_three(const double* low, const double* high) noexcept {
     return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, low)),
                                     _mm256_maskz_loadu_pd(7, high), 1);
@@ -69,7 +71,7 @@ ECODS_ALWAYS_INLINE Double8 eight(double x) noexcept {
 ECODS_ALWAYS_INLINE Double8 absolute(Double8 v) noexcept {
     return _mm512_abs_pd(v);
 }
-// Changes the sign of each lane whose lane in `signs` is -0, and leaves it if that is 0.
+// Changes the sign of each lane of v for which the same lane of `signs` is -0; that lane must be 0 or -0.
 ECODS_ALWAYS_INLINE Double8 flip(Double8 v, Double8 signs) noexcept {
     return _mm512_xor_pd(v, signs);
 }
@@ -77,7 +79,7 @@ ECODS_ALWAYS_INLINE Double8 negative(Double8 v) noexcept {
     return flip(v, eight(-0.0));
 }
 
-// Comparisons do not hold if a lane is a NaN.
+// A comparison is false in each lane in which an argument is NaN.
 ECODS_ALWAYS_INLINE Mask8 is_less(Double8 a, Double8 b) noexcept {
     return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
 }
@@ -99,7 +101,7 @@ ECODS_ALWAYS_INLINE bool all(std::uint32_t mask) noexcept {
 ECODS_ALWAYS_INLINE Double8 either(Mask8 mask, Double8 yes, Double8 no) noexcept {
     return _mm512_mask_blend_pd(mask, no, yes);
 }
-// Return a > b ? a : b, and a < b ? a : b.
+// larger() returns a > b ? a : b in each lane, and smaller() returns a < b ? a : b.
 ECODS_ALWAYS_INLINE Double8 larger(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_max_pd(0xff, a, b);
 }
@@ -107,20 +109,21 @@ ECODS_ALWAYS_INLINE Double8 smaller(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_min_pd(0xff, a, b);
 }
 
-// Return lanes 0, 2, 4 and 6, or 1, 3, 5 and 7, of a and b in turn.
+// even_lanes() returns a[0], b[0], a[2], b[2], a[4], b[4], a[6], b[6]; odd_lanes() does the same for lanes 1, 3, 5 and
+// 7.
 ECODS_ALWAYS_INLINE Double8 even_lanes(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_unpacklo_pd(0xff, a, b);
 }
 ECODS_ALWAYS_INLINE Double8 odd_lanes(Double8 a, Double8 b) noexcept {
     return _mm512_maskz_unpackhi_pd(0xff, a, b);
 }
-// Returns the lanes with these numbers: lanes of a are 0 to 7, and lanes of b 8 to 15.
+// Returns eight lanes chosen by number: numbers 0 to 7 are the lanes of a, and 8 to 15 the lanes of b.
 template <int i, int j, int k, int l, int m, int n, int o, int p>
 ECODS_ALWAYS_INLINE Double8 lanes_of(Double8 a, Double8 b) noexcept {
     return _mm512_permutex2var_pd(a, _mm512_setr_epi64(i, j, k, l, m, n, o, p), b);
 }
 
-// Returns next_up(x), for x that is neither infinite nor NaN.
+// Returns next_up(x) in each lane. x must be neither infinite nor NaN.
 ECODS_ALWAYS_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
     const __m512i bits = _mm512_castpd_si512(x), one = _mm512_set1_epi64(1);
     const __m512i up = _mm512_add_epi64(bits, one);
@@ -131,7 +134,7 @@ ECODS_ALWAYS_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
 
 // ---- integers
 
-// Convert numbers from -2^31 to 2^31 - 1, rounded towards zero, and back.
+// truncated() rounds each lane towards zero to an integer from -2^31 to 2^31 - 1; doubles_of() converts back.
 ECODS_ALWAYS_INLINE Int8 truncated(Double8 v) noexcept {
     return bits_as<Int8>(_mm512_maskz_cvttpd_epi32(0xff, v));
 }
@@ -142,8 +145,8 @@ ECODS_ALWAYS_INLINE Int8 either(Mask8 mask, Int8 yes, Int8 no) noexcept {
     return bits_as<Int8>(_mm256_mask_mov_epi32(bits_as<__m256i>(no), mask, bits_as<__m256i>(yes)));
 }
 
-// Loads eight pairs of floats, pair i from table[2 places[i]]: the first of each, and the second. Each pair is loaded
-// by itself, which measured a little faster than gathering eight.
+// Sets first[i] to table[2 places[i]] and second[i] to table[2 places[i] + 1]. Loading each pair by itself measured a
+// little faster than a gather of eight.
 struct EightPlaces {
     alignas(32) std::array<std::int32_t, 8> at;
 };

@@ -1,5 +1,6 @@
-// Includes the file ECODS_TEXT in the region of each instruction set that has its own width of registers. The text has
-// no includes: the headers that it needs are included before. ECODS_SET is the namespace in which the text stands.
+// Includes the file ECODS_TEXT once for each instruction set with its own width of registers, in the region and the
+// namespace ECODS_SET of that set. The file must not include anything; include the headers that it needs before this
+// one.
 
 #define ECODS_SET baseline
 namespace ecods::baseline {

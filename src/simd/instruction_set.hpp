@@ -1,4 +1,4 @@
-// The instruction set in use (ecods/instruction_set.hpp) is read here by the dispatcher.
+// read_instruction_set returns the instruction set in use (ecods/instruction_set.hpp), for the dispatcher.
 #pragma once
 
 #include <atomic>
@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// The baseline until the library's objects of namespace scope have been initialised.
+// The instruction set in use. It is the baseline until the library's static objects have been initialised.
 extern std::atomic<InstructionSet> instruction_set_in_use;
 
 inline InstructionSet read_instruction_set() noexcept {

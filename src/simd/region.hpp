@@ -1,16 +1,17 @@
-// A region belongs to an instruction set: all definitions between its beginning and its end are compiled for that set,
-// member functions, templates and lambdas included, inlined or not. Each region has a namespace of its own (baseline,
-// avx2, and wide for AVX-512), so that two sets never share a function.
+// A region is a part of a source file that belongs to one instruction set: all definitions in it are compiled for that
+// set, including member functions, templates and lambdas, inlined or not. Each region has its own namespace (baseline,
+// avx2, or wide for AVX-512), so two sets never share a function.
 //
-// With g++ 12 two kinds of functions stay outside of a region, and so must not be used in one: friends that a class
-// template defines, and constructors that the compiler declares by itself (inherited ones, and those that set members
-// to their default initialisers).
+// g++ 12 ignores the region for two kinds of functions, which must not be used in one: friends that a class template
+// defines, and constructors that the compiler declares by itself (inherited ones, and those that set members to their
+// default initialisers).
 //
-// Regions share one text, which simd/each_set.hpp includes in each. Code for AVX-512 alone stands between
+// Regions share source: simd/each_set.hpp includes one file in each region. Code for AVX-512 alone is written between
 // ECODS_BEGIN_WIDE and ECODS_END_REGION.
 #pragma once
 
-// A build with ECODS_BASELINE_ONLY has only the baseline versions: its answers are compared with those of other builds.
+// ECODS_BASELINE_ONLY leaves out all versions but the baseline's. Answers of such a build are compared with answers of
+// other builds.
 #if defined(__x86_64__) && !defined(ECODS_BASELINE_ONLY)
 #define ECODS_CAN_DISPATCH 1
 #else
@@ -31,8 +32,8 @@
 
 namespace ecods {
 
-// Code outside of all regions is compiled for the baseline. (A using directive, not an inline namespace:
-// argument-dependent lookup must not bring functions of the baseline into a region of another set.)
+// Code outside of all regions uses the baseline's functions. This is a using directive and not an inline namespace:
+// otherwise argument-dependent lookup would find functions of the baseline in the region of another set.
 namespace baseline {}
 using namespace baseline;
 

@@ -1,7 +1,6 @@
-// vec_text.hpp is the text of simd/vec.hpp: operations on all lanes of vectors at once, compiled for each instruction
-// set.
+// Source that simd/vec.hpp includes once for each instruction set: operations on all lanes of vectors at once.
 
-// Load first[i] into lane i. `first` is aligned as V is; in load_anywhere, as a number is.
+// Return a vector whose lane i is first[i]. load() needs `first` to be aligned as V; load_anywhere() does not.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V load(const LaneType<V>* first) noexcept {
     return *reinterpret_cast<const typename VecTypes<LaneType<V>, lane_count<V>>::InMemory*>(first);
@@ -11,7 +10,7 @@ ECODS_ALWAYS_INLINE V load_anywhere(const LaneType<V>* first) noexcept {
     return *reinterpret_cast<const typename VecTypes<LaneType<V>, lane_count<V>>::Anywhere*>(first);
 }
 
-// Store lane i in first[i]. `first` is aligned as V is; in store_anywhere, as a number is.
+// Store lane i in first[i]. store() needs `first` to be aligned as V; store_anywhere() does not.
 template <IsVec V>
 ECODS_ALWAYS_INLINE void store(LaneType<V>* first, V v) noexcept {
     *reinterpret_cast<typename VecTypes<LaneType<V>, lane_count<V>>::InMemory*>(first) = v;
@@ -22,14 +21,15 @@ ECODS_ALWAYS_INLINE void store_anywhere(LaneType<V>* first, V v) noexcept {
     *reinterpret_cast<typename VecTypes<LaneType<V>, lane_count<V>>::Anywhere*>(first) = v;
 }
 
-// Returns x in each lane. Subtracting zero leaves every number as it is, -0 too, so the compiler drops it; adding zero
-// would cost an instruction.
+// Returns x in each lane. Subtracting zero changes no number, not even -0, so the compiler drops the subtraction; an
+// addition of zero would change -0, and cost an instruction.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V broadcast(LaneType<V> x) noexcept {
     return x - V{};
 }
 
-// bits_as reads the same bits as lanes of another type; convert converts the numbers, as the rounding mode says.
+// bits_as() reinterprets the bits of v as lanes of another type. convert() converts each number in the current rounding
+// mode.
 template <IsVec To, IsVec From>
 ECODS_ALWAYS_INLINE To bits_as(From v) noexcept {
     static_assert(sizeof(To) == sizeof(From));
@@ -41,13 +41,13 @@ ECODS_ALWAYS_INLINE To convert(From v) noexcept {
     return __builtin_convertvector(v, To);
 }
 
-// Returns, lane by lane, yes if the mask is all ones, and no if it is zero.
+// Returns `yes` in lanes in which the mask is all ones, and `no` in lanes in which the mask is zero.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V select(MaskOf<V> mask, V yes, V no) noexcept {
     return mask ? yes : no;
 }
 
-// Return b in lanes in which a or b is a NaN.
+// Return the lesser, or the greater, number of each lane; b in lanes in which a or b is NaN.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V min(V a, V b) noexcept {
     return a < b ? a : b;
@@ -57,7 +57,7 @@ ECODS_ALWAYS_INLINE V max(V a, V b) noexcept {
     return a > b ? a : b;
 }
 
-// Clears the sign bits.
+// Returns |v| in each lane.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V absolute(V v) noexcept {
     static_assert(std::is_floating_point_v<LaneType<V>>);
@@ -66,7 +66,8 @@ ECODS_ALWAYS_INLINE V absolute(V v) noexcept {
     return bits_as<V>(bits_as<Bits>(v) & all_but_sign);
 }
 
-// Return the lanes with the numbers in `index`: lanes of a are 0, 1, ..., and lanes of b follow.
+// Return the lanes with the numbers in `index`. With two vectors, the numbers count the lanes of a first and then the
+// lanes of b.
 template <int... index, IsVec V>
 ECODS_ALWAYS_INLINE V shuffle(V a, V b) noexcept {
     return __builtin_shufflevector(a, b, index...);
@@ -76,7 +77,7 @@ ECODS_ALWAYS_INLINE V shuffle(V v) noexcept {
     return __builtin_shufflevector(v, v, index...);
 }
 
-// The bits that are set in either half of 256 bits; 128 bits as they are.
+// Returns v itself if it has 128 bits. If it has 256 bits, returns the bitwise or of the two halves of v.
 template <IsVec V>
 ECODS_ALWAYS_INLINE Vec<std::uint64_t, 2> join_halves(V v) noexcept {
     const auto words = bits_as<Vec<std::uint64_t, static_cast<int>(sizeof(V) / 8)>>(v);
@@ -87,7 +88,7 @@ ECODS_ALWAYS_INLINE Vec<std::uint64_t, 2> join_halves(V v) noexcept {
     }
 }
 
-// The bits that are set in any lane. Lanes are integers of 32 or 64 bits, two or more.
+// Returns the bitwise or of all lanes. V has two or more lanes of 32 or 64 bits.
 template <IsVec V>
 ECODS_ALWAYS_INLINE LaneType<V> any_bits(V v) noexcept {
     static_assert(std::is_integral_v<LaneType<V>> && sizeof(LaneType<V>) >= 4);
@@ -97,8 +98,8 @@ ECODS_ALWAYS_INLINE LaneType<V> any_bits(V v) noexcept {
     return static_cast<LaneType<V>>(bits);
 }
 
-// any() is true if any lane of a mask is set, all() if all are. The baseline has an instruction for the signs of four
-// lanes at once, and the signs suffice for a mask.
+// any() is true if at least one lane of a mask is set, all() if every lane is set. Only the signs of lanes are read,
+// since a lane is all ones or zero: the baseline has an instruction that reads the signs of four lanes at once.
 template <IsVec V>
 ECODS_ALWAYS_INLINE bool any(V mask) noexcept {
 #if defined(__SSE2__)
@@ -112,7 +113,7 @@ ECODS_ALWAYS_INLINE bool all(V mask) noexcept {
     return !any(~mask);
 }
 
-// Returns bit first + i alone in lane i.
+// Returns a vector whose lane i is the integer 2^(first + i).
 template <IsVec V>
 ECODS_ALWAYS_INLINE V lane_bits(int first = 0) noexcept {
     V bits{};
@@ -120,7 +121,7 @@ ECODS_ALWAYS_INLINE V lane_bits(int first = 0) noexcept {
     return bits;
 }
 
-// Returns the low byte of each lane, lane 0 in the lowest byte.
+// Returns the low byte of each lane, packed into a word: the byte of lane 0 is the lowest.
 template <IsVec V>
 ECODS_ALWAYS_INLINE std::uint64_t low_bytes(V v) noexcept {
     const auto bytes = convert<Vec<std::uint8_t, lane_count<V>>>(v);

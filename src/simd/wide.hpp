@@ -1,8 +1,8 @@
-// Floats is a register of sixteen floats, on processors that have it, with masks of as many bits: two rows of eight
-// lanes at once.
+// Floats is a register of sixteen floats, on processors with AVX-512, often two rows of eight lanes. A Mask has one bit
+// for each lane.
 //
-// These are intrinsics and not Vec, because comparisons give masks here: g++ turns masks of Vec into lanes and back.
-// Code that uses them must be in the same region (simd/region.hpp).
+// This file uses intrinsics and not Vec, because comparisons with AVX-512 give bit masks, and g++ converts masks of Vec
+// into lanes and back. Code that uses Floats must be in the same region (simd/region.hpp).
 #pragma once
 
 #include <bit>
@@ -22,24 +22,26 @@ namespace ecods::wide {
 using Floats = __m512;
 using Mask = __mmask16;
 using Float8 = __m256;
-using Index8 = __m256i;  // eight integers of 32 bits
+using Index8 = __m256i;  // eight 32-bit integers
 
-// Selects every lane. Intrinsics take it where g++ 12 warns that their plain form uses an uninitialised value.
+// The mask of all lanes. It is passed to masked intrinsics where g++ 12 warns that the unmasked intrinsic uses an
+// uninitialised value.
 inline constexpr Mask all_lanes = 0xffff;
 
-// Returns eight floats, aligned as a vector of eight, in the first eight lanes and again in the last.
+// Returns eight floats twice: in lanes 0 to 7 and again in lanes 8 to 15. `eight` must be aligned as a vector of eight.
 ECODS_ALWAYS_INLINE Floats twice(const float* eight) noexcept {
     return _mm512_maskz_broadcast_f32x8(all_lanes, _mm256_load_ps(eight));
 }
 
-// Returns float `first` of twice()'s eight in the first eight lanes, and the next float in the last eight.
+// Returns lane `first` of v in lanes 0 to 7, and lane first + 1 of v in lanes 8 to 15.
 template <int first>
 ECODS_ALWAYS_INLINE Floats two_of(Floats v) noexcept {
     constexpr int a = first, b = first + 1;
     return _mm512_maskz_permutexvar_ps(all_lanes, _mm512_setr_epi32(a, a, a, a, a, a, a, a, b, b, b, b, b, b, b, b), v);
 }
 
-// Return the lanes of a mask in which x > y, or x < y, does not hold; neither holds for a NaN.
+// not_above() returns those of `lanes` in which x > y is false, and not_below() those in which x < y is false. Both
+// comparisons are false if a number is NaN.
 ECODS_ALWAYS_INLINE Mask not_above(Mask lanes, Floats x, Floats y) noexcept {
     return _mm512_mask_cmp_ps_mask(lanes, x, y, _CMP_NGT_UQ);
 }
@@ -47,29 +49,30 @@ ECODS_ALWAYS_INLINE Mask not_below(Mask lanes, Floats x, Floats y) noexcept {
     return _mm512_mask_cmp_ps_mask(lanes, x, y, _CMP_NLT_UQ);
 }
 
-// Returns the lanes, as bits, in which neither low > to nor high < from holds.
+// Returns a mask of the lanes in which the interval [low, high] may meet [from, to]: neither low > to nor high < from
+// holds.
 ECODS_ALWAYS_INLINE std::uint32_t not_outside(Float8 low, Float8 high, float from, float to) noexcept {
     const __mmask8 not_beyond = _mm256_cmp_ps_mask(low, _mm256_set1_ps(to), _CMP_NGT_UQ);
     return _mm256_mask_cmp_ps_mask(not_beyond, high, _mm256_set1_ps(from), _CMP_NLT_UQ);
 }
 
-// Returns eight bits for each bit of a mask of eight.
+// Expands a mask of eight bits to eight bytes: byte i is 0xff if bit i is set, otherwise 0.
 ECODS_ALWAYS_INLINE std::uint64_t bytes_of(std::uint32_t mask) noexcept {
     return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_movm_epi8(static_cast<__mmask16>(mask))));
 }
 
-// Returns a number below 256 in each of eight bytes.
+// Returns a word in which each of the eight bytes is `number`, which must be below 256.
 ECODS_ALWAYS_INLINE std::uint64_t in_each_byte(std::uint64_t number) noexcept {
     return number * 0x0101010101010101u;
 }
 
-// Holds the numbers 8 j + i of the lowest eight bits that are set in a word, one in each lane; if fewer are set, the
-// last lanes repeat the first.
+// Holds the eight lowest bits that are set in a 64-bit word, as numbers 8 j + i, one in each lane. If fewer bits are
+// set, the remaining lanes repeat the lowest one.
 struct PairNumbers {
     Index8 i, j;
-    std::uint64_t bits;  // the bits of these pairs
+    std::uint64_t bits;  // the word with only these bits set
 
-    // Takes the bits out of `from`, which must not be zero.
+    // Moves the eight lowest set bits, or all if there are fewer, from `from` to `bits`. `from` must not be zero.
     ECODS_ALWAYS_INLINE explicit PairNumbers(std::uint64_t& from) noexcept {
         bits = from;
         const auto first = static_cast<std::uint64_t>(std::countr_zero(from));
@@ -84,14 +87,14 @@ struct PairNumbers {
         j = _mm256_srli_epi32(lanes, 3);
     }
 
-    // Returns the bits of the pairs whose lanes are all ones, not zero.
+    // Returns the bits of those pairs whose lane in `lanes` is all ones. Each lane must be all ones or zero.
     ECODS_ALWAYS_INLINE std::uint64_t bits_of(const Vec<std::int32_t, 8>& lanes) const noexcept {
         const __mmask8 mask = _mm256_movepi32_mask(_mm256_load_si256(reinterpret_cast<const __m256i*>(&lanes)));
         return _pdep_u64(mask, bits);
     }
 };
 
-// Returns float index[k] of eight in lane k; the eight are aligned as a vector.
+// Returns eight[index[k]] in lane k. `eight` must be aligned as a vector of eight floats.
 ECODS_ALWAYS_INLINE Float8 pick(const float* eight, Index8 index) noexcept {
     return _mm256_permutexvar_ps(index, _mm256_load_ps(eight));
 }
@@ -99,7 +102,7 @@ ECODS_ALWAYS_INLINE void store(Float8 v, Vec<float, 8>& lanes) noexcept {
     _mm256_store_ps(reinterpret_cast<float*>(&lanes), v);
 }
 
-// Return a > b ? a : b, and a < b ? a : b, lane by lane.
+// larger() returns a > b ? a : b in each lane, and smaller() returns a < b ? a : b.
 ECODS_ALWAYS_INLINE Float8 larger(Float8 a, Float8 b) noexcept {
     return _mm256_max_ps(a, b);
 }

@@ -1,9 +1,11 @@
-// The table of calls. Each call of World that a trace holds is one row: a struct with the call's name in the text, its
-// arguments, the function of World that it makes, and its fields in the order of the text. Writer, reader, replay, the
-// fuzzer's scripts and their shrinking follow from these rows; src/README.md says how to add one.
+// Defines the table of calls. Each call of World that a trace holds is one row: a struct with the call's name in the
+// text, its arguments, the function of World that it calls, and its fields in the order of the text. The writer, the
+// reader, the replay, the fuzzer's scripts and their shrinking follow from these rows; src/README.md says how to add a
+// row.
 //
-// A row is a template over Names, a type that says by what bodies, shapes and lists are named: ids and shape numbers
-// while a trace is written, the order of creation when it is read, and meshes in place of shapes in a fuzzer's script.
+// A row is a template over Names, a type that says how bodies, shapes and lists are named: by ids and shape numbers
+// while a trace is written, by the order of creation while it is read, and by meshes in place of shapes in a fuzzer's
+// script.
 //
 // `fields` passes each field to a visitor, by the kind of the field:
 //
@@ -13,8 +15,8 @@
 //     other_body the second, different body of a pair     clearance  a distance, or none
 //     shape                                               posed_bodies   as many bodies as poses
 //
-// Given several calls of one row, `fields` passes the same field of each to the visitor, which may so copy one call to
-// another that uses other names.
+// If it is given several calls of one row, `fields` passes the same field of all of them to the visitor together. So a
+// visitor can copy a call to a call with other names.
 #pragma once
 
 #include <algorithm>
@@ -36,11 +38,10 @@
 
 namespace ecods::calls {
 
-// A body's name by order: the number of bodies created before it.
+// Names a body by order: the number of bodies created before it.
 using Label = std::size_t;
 
 // ---- names
-// Names while writing: ids, and numbers of shapes.
 
 // Names while writing: ids, and numbers of shapes.
 struct Tracing {
@@ -50,10 +51,10 @@ struct Tracing {
     using List = std::span<const Item>;
 };
 
-// Names while reading: bodies and shapes by order of creation.
+// Names while reading: bodies and shapes by their order of creation.
 struct InOrder {
     using Body = Label;
-    using Shape = std::size_t;  // number of meshes and shapes before it in the text
+    using Shape = std::size_t;  // number of meshes and shapes before this one in the text
     template <class Item>
     using List = std::vector<Item>;
 };
@@ -200,12 +201,13 @@ struct SetClearance {
 };
 
 template <class Names>
-struct SetSolids {
-    static constexpr std::string_view name = "set_solids";
-    bool are_related;
+struct SetRelations {
+    static constexpr std::string_view name = "set_relations";
+    static constexpr std::string_view old_name = "set_solids";  // in version 1
+    bool are_listed;
 
-    static void fields(auto&& each, auto&... call) { each.flag(call.are_related...); }
-    void make(auto& world) const { world.set_solids(are_related); }
+    static void fields(auto&& each, auto&... call) { each.flag(call.are_listed...); }
+    void make(auto& world) const { world.set_relations(are_listed); }
 };
 
 // ---- the table
@@ -213,9 +215,9 @@ struct SetSolids {
 template <class Names, class... Others>
 using Call = std::variant<Create<Names>, CreateWith<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>,
                           SetShape<Names>, SetFilter<Names>, SetPairEnabled<Names>, SetUserData<Names>,
-                          SetClearance<Names>, SetSolids<Names>, Others...>;
+                          SetClearance<Names>, SetRelations<Names>, Others...>;
 
-// The names of the rows of a Call, by index.
+// Lists the names of the rows of a Call, by index.
 template <class AnyCall>
 inline constexpr int row_names = 0;
 template <class... Rows>
@@ -231,8 +233,8 @@ void emplace_row(AnyCall& call, std::size_t index) {
     emplace_row(call, index, std::make_index_sequence<std::variant_size_v<AnyCall>>());
 }
 
-// Sets `call` to the row with this name, with empty arguments, and returns true. Returns false, and leaves the call
-// unchanged, if there is none.
+// Sets `call` to the row with this name, with empty arguments, and returns true. Returns false, and leaves `call`
+// unchanged, if no row has this name.
 template <class AnyCall>
 bool emplace_row(AnyCall& call, std::string_view name) {
     const auto& names = row_names<AnyCall>;
@@ -244,7 +246,7 @@ bool emplace_row(AnyCall& call, std::string_view name) {
 
 // ---- visitors
 
-// Visits no field; a base for visitors of a few kinds.
+// Visits no field. This is a base class for visitors of only some kinds of fields.
 struct NoField {
     void created(auto&...) const noexcept {}
     void destroyed(auto&...) const noexcept {}
@@ -260,7 +262,7 @@ struct NoField {
 };
 
 // Copies fields from one call to another. `body_of` and `shape_of` translate the names of bodies and shapes. A created
-// body is copied only between labels; an id is known only after the call is made.
+// body is copied only if both names are labels: an id is known only after the call is made.
 template <class BodyOf, class ShapeOf>
 struct CopyFields {
     BodyOf body_of;
@@ -291,7 +293,7 @@ struct CopyFields {
     void optional_filter(const auto& from, auto& to) const { to = from; }
 };
 
-// Returns the same call under other names.
+// Returns the same call with other names, which `body_of` and `shape_of` give.
 template <class To, template <class> class Row, class From, class BodyOf, class ShapeOf>
 Row<To> renamed(const Row<From>& call, BodyOf body_of, ShapeOf shape_of) {
     Row<To> result{};

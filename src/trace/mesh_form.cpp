@@ -13,11 +13,6 @@ std::optional<MeshForm> parse_mesh_form(std::string_view name) {
     return static_cast<MeshForm>(found - mesh_form_names.begin());
 }
 
-MeshForm form_of(const MeshShape& shape) noexcept {
-    if (dynamic_cast<const ConvexSolid*>(&shape) != nullptr) return MeshForm::convex;
-    return dynamic_cast<const Solid*>(&shape) != nullptr ? MeshForm::solid : MeshForm::surface;
-}
-
 std::shared_ptr<const MeshShape> make_shape(const std::shared_ptr<const Mesh>& mesh, MeshForm form) {
     switch (form) {
         case MeshForm::convex:

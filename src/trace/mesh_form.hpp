@@ -1,9 +1,7 @@
-// The form in which a mesh is a body's shape: a surface, a solid or a convex solid. A trace states the form, since
-// answers depend on it.
+// Names of the forms of meshes in a trace, which states the form, since answers depend on it.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -13,16 +11,12 @@
 
 namespace ecods {
 
-enum class MeshForm : std::uint8_t { surface, solid, convex };
-
-// The first word of a mesh's line, by form.
+// Lists, by form, the first word of a mesh's line in a trace.
 inline constexpr std::array<std::string_view, 3> mesh_form_names = {"mesh", "solid", "convex"};
 
 std::optional<MeshForm> parse_mesh_form(std::string_view name);
 
-MeshForm form_of(const MeshShape& shape) noexcept;
-
-// Returns a new shape. Throws if the mesh does not have this form.
+// Returns a new shape of this form. Throws NotSolid if the mesh cannot have the form.
 std::shared_ptr<const MeshShape> make_shape(const std::shared_ptr<const Mesh>& mesh, MeshForm form);
 
 }  // namespace ecods

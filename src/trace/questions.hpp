@@ -1,8 +1,8 @@
-// The table of questions. Each question of World about many bodies that a trace holds is one row, as each call is in
-// calls.hpp. A row begins with the digest of the answer (world/answer_digest.hpp), which a replay compares with its
-// own.
+// Defines the table of questions. Each question of World about many bodies that a trace holds is one row, like each
+// call in calls.hpp. The first field of a row is the digest of the answer (world/answer_digest.hpp), which a replay
+// compares with the digest of its own answer.
 //
-// `fields` passes these kinds of fields beside those of calls.hpp:
+// `fields` passes these kinds of fields, besides the kinds of calls.hpp:
 //
 //     answer     the digest                             number           0 or more, infinity included
 //     line       a segment or a ray                     motion, point, optional_filter
@@ -16,7 +16,7 @@
 
 namespace ecods::calls {
 
-// The fields of the questions about hits of a segment or a ray.
+// Holds the fields of the questions about hits of a segment or a ray.
 template <class Line>
 struct OfLine {
     std::uint64_t answer;
@@ -54,7 +54,7 @@ struct AllHitsOfRay : OfLine<Ray> {
     auto ask(auto& world) const { return world.all_hits(line, filter); }
 };
 
-// The fields of questions with an upper limit of distances.
+// Holds the fields of questions with an upper limit of distances.
 struct UpTo {
     std::uint64_t answer;
     double limit;

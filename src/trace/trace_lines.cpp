@@ -9,7 +9,7 @@
 namespace ecods {
 namespace {
 
-// Returns a word as a message shows it: quoted, shortened to 40 characters, with '?' for others than printable ASCII.
+// Returns a word as error messages show it: quoted, shortened to 40 characters, with '?' for all but printable ASCII.
 std::string quoted(std::string_view word) {
     std::string shown = "'";
     for (const char c : word.substr(0, 40)) shown.push_back(c >= ' ' && c <= '~' ? c : '?');
@@ -42,14 +42,14 @@ bool TraceLines::next() {
     return true;
 }
 
-bool TraceLines::next_is_header(std::string_view header) {
+std::string_view TraceLines::next_header() {
     constexpr std::string_view mark = "\xef\xbb\xbf";
-    if (!next()) return false;
+    if (!next()) return {};
     std::string_view line = rest();
     if (line.starts_with(mark)) line.remove_prefix(mark.size());
     drops_cr_ = line.ends_with('\r');
     if (drops_cr_) line.remove_suffix(1);
-    return line == header;
+    return line;
 }
 
 std::string_view TraceLines::word(const char* what) {

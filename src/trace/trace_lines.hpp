@@ -1,4 +1,4 @@
-// Reads a trace line by line, and each line word by word. Malformed text is an InvalidTrace with the line's number.
+// Reads a trace line by line, and each line word by word. Malformed text throws InvalidTrace with the line's number.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,13 @@ class TraceLines {
     // locale of the stream have no effect. Throws std::bad_alloc if memory runs out.
     bool next();
 
-    // Goes to the first line, and returns true if it is `header`. The line may begin with the byte order mark of UTF-8.
-    // If it ends with CR LF, an editor wrote the file so, and the CR is dropped from every line.
-    bool next_is_header(std::string_view header);
+    // Goes to the first line, and returns it without the byte order mark of UTF-8, with which it may begin; an empty
+    // text if there is no line. If it ends with CR LF, an editor wrote the file so, and the CR is dropped from every
+    // line.
+    std::string_view next_header();
 
-    // These functions read the next word or words of the line. They throw InvalidTrace if a word is missing or
-    // malformed; `what` names it in the error.
+    // The next functions read the next word or words of the line. They throw InvalidTrace if a word is missing or
+    // malformed; `what` names the word in the error.
     std::string_view word(const char* what);
     std::uint64_t hex(const char* what);
     std::uint64_t decimal(const char* what, std::uint64_t max);
@@ -44,7 +45,8 @@ class TraceLines {
     bool at_end() const noexcept { return left_.empty(); }
     void require_end();
 
-    // Goes to the next line, which must exist and begin with this word: a continuation of the line before.
+    // Goes to the next line, which continues the line before. Throws InvalidTrace unless the line exists and begins
+    // with this word; reads the word.
     void require_next(std::string_view first_word);
 
     std::size_t number() const noexcept { return number_; }  // number of the current line, from 1
@@ -52,7 +54,7 @@ class TraceLines {
 
   private:
     double coordinate();
-    bool skips(std::string_view next_word);  // skips the next word, and returns true, if it is this one
+    bool skips(std::string_view next_word);  // if the next word is this one, skips it and returns true
 
     std::istream& in_;
     std::string text_;

@@ -69,7 +69,9 @@ void FieldReader::posed_bodies(std::vector<calls::Label>& bodies, std::vector<Po
 // ---- lines
 
 TraceReader::TraceReader(std::istream& in) : lines_(in) {
-    if (!lines_.next_is_header(trace_header)) {
+    const std::string_view header = lines_.next_header();
+    is_of_version_1_ = header == old_trace_header;
+    if (header != trace_header && !is_of_version_1_) {
         throw InvalidTrace(1, "a trace begins with '" + std::string(trace_header) + "'");
     }
     lines_.require_next("world");
@@ -105,7 +107,9 @@ TraceItem TraceReader::read_item() {
         return question;
     }
     TracedCall call;
-    if (!calls::emplace_row(call, name)) lines_.fail("there is no such call");
+    using SetRelations = calls::SetRelations<calls::InOrder>;
+    const bool is_old_name = is_of_version_1_ && name == SetRelations::old_name;
+    if (!calls::emplace_row(call, is_old_name ? SetRelations::name : name)) lines_.fail("there is no such call");
     std::visit(read_fields, call);
     return call;
 }

@@ -1,5 +1,5 @@
-// Reads a trace: its lines as data, one after the other. Checks that each body and shape is known when it is named, and
-// that each list has as many items as it announces; otherwise the text is an InvalidTrace.
+// Reads a trace and gives its lines as data, one after the other. Throws InvalidTrace if a line names an unknown body
+// or shape, or if a list has another number of items than it announces.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,8 @@ struct TracedUpdate {
     bool has_failed = false;
 };
 
-// A mesh, or below a shape of the caller's own. Both are numbered in one sequence, which is calls::InOrder::Shape.
+// Holds a mesh. TracedShape holds a shape of the caller's own. Both are numbered in one sequence,
+// calls::InOrder::Shape.
 struct TracedMesh {
     std::shared_ptr<const Mesh> mesh;
     MeshForm form = MeshForm::surface;
@@ -49,19 +50,19 @@ struct TracedNote {
 
 using TraceItem = std::variant<TracedCall, TracedQuestion, TracedUpdate, TracedMesh, TracedShape, TracedNote>;
 
-// The names of bodies and shapes in a trace, as far as it is read.
+// Holds the names of the bodies and shapes in the part of a trace that was read.
 struct TracedNames {
     struct BodyHash {
         std::size_t operator()(const TracedBody& body) const noexcept {
             return std::hash<std::uint64_t>()(std::uint64_t{body.generation} << 32 | body.slot);
         }
     };
-    std::unordered_map<TracedBody, calls::Label, BodyHash> bodies;  // living bodies
-    std::vector<TracedBody> created;                                // by label
-    std::unordered_map<std::uint64_t, std::size_t> shapes;          // by number
+    std::unordered_map<TracedBody, calls::Label, BodyHash> bodies;  // labels of living bodies
+    std::vector<TracedBody> created;                                // names of all bodies, by label
+    std::unordered_map<std::uint64_t, std::size_t> shapes;  // values of calls::InOrder::Shape, by number in the text
 };
 
-// Reads the fields of a call, as a visitor.
+// Reads the fields of a call or a question; a visitor of the rows.
 class FieldReader {
   public:
     FieldReader(TraceLines& lines, TracedNames& names) : lines_(lines), names_(names) {}
@@ -98,21 +99,24 @@ class FieldReader {
 
 class TraceReader {
   public:
-    // Reads the header.
+    // Reads the header. Throws InvalidTrace if it is malformed.
     explicit TraceReader(std::istream& in);
 
     BroadPhaseKind broad_phase() const noexcept { return broad_phase_; }
-    // True if the world had given no id before the first line.
+    // True if the traced world had given no id to a body before the trace began.
     bool begins_empty() const noexcept { return begins_empty_; }
 
-    // Returns the next item; nothing at the end. A mesh that Mesh::create rejects is an InvalidTrace, too.
+    // True if solids collide as their surfaces.
+    bool is_of_version_1() const noexcept { return is_of_version_1_; }
+
+    // Returns the next item, or nothing at the end. Throws InvalidTrace, also for a mesh that Mesh::create rejects.
     std::optional<TraceItem> next();
 
-    // Returns the line of the last item, from 1; for a list, its last line.
+    // Returns the number, from 1, of the last line of the last item.
     std::size_t line() const noexcept { return lines_.number(); }
     [[noreturn]] void fail(const std::string& reason) const { lines_.fail(reason); }
 
-    // Names for notes that hold fields.
+    // Returns the names of bodies and shapes, for notes that hold fields.
     TracedNames& names() noexcept { return names_; }
 
   private:
@@ -126,6 +130,7 @@ class TraceReader {
     TracedNames names_;
     BroadPhaseKind broad_phase_;
     bool begins_empty_;
+    bool is_of_version_1_;
 };
 
 }  // namespace ecods

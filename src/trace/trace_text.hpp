@@ -12,9 +12,10 @@
 
 namespace ecods {
 
-inline constexpr std::string_view trace_header = "ecods-trace 1";
+// The first line of a trace. In version 1, solids collided as their surfaces.
+inline constexpr std::string_view trace_header = "ecods-trace 2", old_trace_header = "ecods-trace 1";
 
-// A body as a trace names it: by slot and generation in the world that wrote the trace. These are no id in any other
+// Names a body as a trace does, by slot and generation in the world that wrote the trace. This is no id in any other
 // world.
 struct TracedBody {
     std::uint32_t slot = 0;
@@ -25,8 +26,8 @@ constexpr TracedBody traced(BodyId body) noexcept {
     return {body.slot, body.generation};
 }
 
-// The parsers return nothing unless the whole word is a number or name of the kind.
-std::optional<double> parse_hex_double(std::string_view word);  // finite
+// These parsers return nothing unless the whole word is a number or a name of their kind.
+std::optional<double> parse_hex_double(std::string_view word);  // only finite numbers
 std::optional<std::uint64_t> parse_hex(std::string_view word);
 std::optional<std::uint64_t> parse_decimal(std::string_view word, std::uint64_t max);
 std::optional<TracedBody> parse_body(std::string_view word);

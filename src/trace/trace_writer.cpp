@@ -19,7 +19,7 @@ void TraceWriter::end_line() {
     put_text();
 }
 
-// Writes one line for each item, so that a long list takes no memory.
+// Writes one line for each item to the stream at once, so that a long list takes no memory.
 void TraceWriter::FieldWriter::posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const {
     put(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -59,7 +59,7 @@ void TraceWriter::flush() noexcept {
 
 std::uint64_t TraceWriter::number_of(const std::shared_ptr<const Shape>& shape) {
     const auto* mesh_shape = dynamic_cast<const MeshShape*>(shape.get());
-    const MeshForm form = mesh_shape != nullptr ? form_of(*mesh_shape) : MeshForm::surface;
+    const MeshForm form = mesh_shape != nullptr ? mesh_shape->form() : MeshForm::surface;
     const std::shared_ptr<const void> object = mesh_shape != nullptr && form == MeshForm::surface
                                                    ? std::shared_ptr<const void>(mesh_shape->mesh_ptr())
                                                    : shape;

@@ -19,14 +19,15 @@
 
 namespace ecods {
 
-// Writes each call after it has succeeded. So writing does not throw: a failure ends it, and has_failed() becomes true.
-// Text is written unformatted: flags, width and locale of the stream have no effect.
+// Writes a trace to a stream. A call is written after it has succeeded, so writing must not throw: if writing fails, it
+// stops and has_failed() becomes true. Text is written unformatted: flags, width and locale of the stream have no
+// effect.
 class TraceWriter {
   public:
     TraceWriter(std::ostream& out, TraceOptions options);
 
-    // Returns the number of a mesh or shape. Writes its text first if this is not yet done, so that it precedes the
-    // call that uses it. Throws NotSupported if the shape cannot be written.
+    // Returns the number of a shape in the trace. If the trace does not have the shape yet, first writes it, so that it
+    // precedes the call that uses it. Throws NotSupported if the shape cannot be written.
     std::uint64_t number_of(const std::shared_ptr<const Shape>& shape);
 
     void begin(BroadPhaseKind kind, std::size_t slot_count) noexcept;
@@ -34,8 +35,7 @@ class TraceWriter {
     // True if the trace includes questions.
     bool writes_questions() const noexcept { return options_.questions; }
 
-    // Writes a call or a question, as one of the rows of calls.hpp and questions.hpp: write<calls::SetPose>(body,
-    // pose).
+    // Writes a call or a question, given by its row in calls.hpp or questions.hpp: write<calls::SetPose>(body, pose).
     template <template <class> class Row, class... Arguments>
     void write(const Arguments&... arguments) noexcept {
         const Row<calls::Tracing> call{arguments...};
@@ -47,8 +47,8 @@ class TraceWriter {
     }
     void note(std::string_view text) noexcept;
 
-    // Writes and flushes the word `update` before an update runs, so that the file is complete up to there even if the
-    // program crashes in it.
+    // Writes and flushes the word `update`. Call it before an update runs, so that the file is complete up to this word
+    // even if the program crashes in the update.
     void begin_update() noexcept;
     void end_update(std::uint64_t digest, std::size_t colliding_count) noexcept;
     void end_failed_update() noexcept;
@@ -57,7 +57,7 @@ class TraceWriter {
     bool has_failed() const noexcept { return has_failed_; }
 
   private:
-    // Writes the fields of a call, as a visitor.
+    // Writes the fields of a call or a question; a visitor of the rows.
     struct FieldWriter {
         TraceWriter& writer;
 
@@ -105,13 +105,13 @@ class TraceWriter {
             end_line();
         });
     }
-    void end_line();  // and writes it
+    void end_line();  // also writes the line to the stream
     void put_text();
     void put_mesh(MeshForm form, const Mesh& mesh, std::uint64_t number) noexcept;
     std::string text_of(const Shape& shape) const;
 
-    // A mesh or shape that has a number. The map finds it by its address, which another object may have once this one
-    // is gone; the weak pointer distinguishes the two.
+    // Holds a mesh or shape that has a number. numbers_ finds it by its address, which another object may have once
+    // this one is destroyed; the weak pointer distinguishes the two.
     struct Numbered {
         std::weak_ptr<const void> object;
         std::uint64_t number = 0;

@@ -1,5 +1,5 @@
-// Hashes the answers of a world, for traces. Answers with equal bits, about bodies with equal slots and generations,
-// have equal digests.
+// Computes hashes of a world's answers, for traces. Two answers have equal digests if all their values have equal bits
+// and their bodies have equal slots and generations.
 #pragma once
 
 #include <cstdint>

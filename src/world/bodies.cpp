@@ -13,7 +13,8 @@
 namespace ecods {
 namespace {
 
-// Returns the number of a new world: 1, 2, and so on, and 1 again after the largest number that an id can hold.
+// Returns the number of a new world. The numbers are 1, 2, and so on; after the largest number that an id can hold,
+// they begin at 1 again.
 std::uint16_t next_world_number() noexcept {
     static std::atomic<std::uint32_t> count = 0;
     constexpr std::uint32_t number_max = std::numeric_limits<std::uint16_t>::max();
@@ -31,12 +32,12 @@ void Slot::put(std::shared_ptr<const Shape> new_shape) noexcept {
     shape_digest = new_shape->digest();
     answers_hits = new_shape->answers(Question::hits);
     const auto* const of_mesh = dynamic_cast<const MeshShape*>(new_shape.get());
-    form = of_mesh != nullptr ? form_of(*of_mesh) : MeshForm::surface;
+    form = of_mesh != nullptr ? of_mesh->form() : MeshForm::surface;
     shape = std::move(new_shape);
 }
 
-// A slot that no id names has used up its generations: it is retired. Free slots are a stack, so the first id is pushed
-// last.
+// Retires each slot that no id names: such a slot has used up its generations. The free slots form a stack, so the
+// first id is pushed last.
 Bodies::Bodies(std::span<const BodyId> first_ids) : world_number_(world_number_of(first_ids)) {
     std::size_t slot_count = 0;
     for (const BodyId id : first_ids) slot_count = std::max(slot_count, std::size_t{id.slot});
@@ -50,7 +51,8 @@ Bodies::Bodies(std::span<const BodyId> first_ids) : world_number_(world_number_o
     }
     for (const BodyId id : std::views::reverse(first_ids)) free_slots_.push_back(id.slot - 1);
     retired_count_ = slot_count - first_ids.size();
-    // Drops the last slot if it was never used and its id comes last: make_slot() would append the same slot.
+    // Drops the last slot if its generation is 0 (it was never used) and its id comes last: make_slot() would append
+    // the same slot.
     if (!free_slots_.empty() && free_slots_.front() + 1 == end() && slots_.back().generation == 0) {
         slots_.pop_back();
         free_slots_.erase(free_slots_.begin());
@@ -67,7 +69,7 @@ void Bodies::refuse_stale(BodyId body, const ListIndex& index) {
     throw_misuse(StaleBody(body, index));
 }
 
-// The smaller slot comes first, so that both orders of the arguments ask the same question.
+// Sorts the two proxies, so that both orders of the arguments ask the same question.
 ProxyPair Bodies::require_pair(BodyId a, BodyId b) const {
     const ProxyIndex first = require(a);
     const ProxyIndex second = require(b);

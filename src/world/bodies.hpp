@@ -1,5 +1,5 @@
-// Bodies holds the bodies of a world in slots, with everything that the caller set for them. The overlap tracker has
-// their boxes.
+// The class Bodies stores the bodies of a world in slots, with everything that the caller set for each body. The boxes
+// of the bodies are not here: the overlap tracker stores them.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@
 
 namespace ecods {
 
-// A slot holds one body at a time, or is free. Its number is the proxy of the body in the broad phase; BodyId::slot is
-// one more.
+// A slot holds one body at a time, or is free. The index of a slot is the proxy of its body in the broad phase;
+// BodyId::slot is that index plus one.
 struct Slot {
     static constexpr std::uint16_t generation_max = std::numeric_limits<std::uint16_t>::max();
 
@@ -38,7 +38,7 @@ struct Slot {
     Posed<Shape> posed() const noexcept { return {*shape, pose}; }
     void put(std::shared_ptr<const Shape> new_shape) noexcept;
 
-    // Return the shape as a Solid and as a ConvexSolid; null if it is none.
+    // Return the shape as a Solid and as a ConvexSolid; null if the shape is no Solid, or no ConvexSolid.
     const Solid* solid() const noexcept {
         return form != MeshForm::surface ? static_cast<const Solid*>(shape.get()) : nullptr;
     }
@@ -49,7 +49,8 @@ struct Slot {
 
 class Bodies {
   public:
-    // Gives these ids to the first bodies (WorldOptions::ids). Throws StaleBody.
+    // Makes `first_ids` the ids of the bodies that will be created first, in this order (see WorldOptions::ids). Throws
+    // StaleBody if these ids could not have been given by one world.
     explicit Bodies(std::span<const BodyId> first_ids);
 
     // ---- ids
@@ -57,12 +58,13 @@ class Bodies {
         return body && body.slot <= slots_.size() && slots_[body.slot - 1].is_alive() &&
                slots_[body.slot - 1].generation == body.generation && (body.world == world_number_ || body.world == 0);
     }
-    ProxyIndex require(BodyId body, const ListIndex& index = {}) const {  // throws StaleBody
+    ProxyIndex require(BodyId body,
+                       const ListIndex& index = {}) const {  // returns the proxy of the body; throws StaleBody
         if (!is_alive(body)) [[unlikely]]
             refuse_stale(body, index);
         return body.slot - 1;
     }
-    ProxyPair require_pair(BodyId a, BodyId b) const;  // throws StaleBody, SameBody; ascending
+    ProxyPair require_pair(BodyId a, BodyId b) const;  // ascending; throws StaleBody, SameBody
     BodyId id_of(ProxyIndex proxy) const noexcept { return {proxy + 1, slots_[proxy].generation, world_number_}; }
     BodyPair ids_of(ProxyPair pair) const noexcept { return {id_of(pair.a), id_of(pair.b)}; }
     std::vector<BodyId> ids() const;       // all living bodies, ascending
@@ -71,7 +73,8 @@ class Bodies {
     // ---- slots, free ones included
     const Slot& operator[](ProxyIndex proxy) const noexcept { return slots_[proxy]; }
     Slot& operator[](ProxyIndex proxy) noexcept { return slots_[proxy]; }
-    // Return the body as a solid and as a convex solid. Throw NotSupported if it is none.
+    // Return the body as a solid and as a convex solid. Throw NotSupported if its shape is no solid, or no convex
+    // solid.
     Posed<Solid> solid_at(ProxyIndex proxy) const { return posed(proxy, slots_[proxy].solid(), "solid"); }
     Posed<ConvexSolid> convex_at(ProxyIndex proxy) const {
         return posed(proxy, slots_[proxy].convex(), "convex solid");
@@ -90,9 +93,9 @@ class Bodies {
     // ---- creation, change and destruction: call what may throw first, then the noexcept functions
     void reserve(std::size_t count);
     ProxyIndex make_slot(ShapeKind kind);  // returns the free slot that create() will take, for a body of this kind
-    void trim() noexcept;                  // gives back spare memory when the slots have grown by an eighth
+    void trim() noexcept;                  // frees spare memory if the number of slots has grown by an eighth
     void create(const BodyOptions& options, std::shared_ptr<const Shape> shape) noexcept;
-    void make_room_for(ShapeKind kind) { kind_counts_[kind]; }  // call it before set_shape()
+    void make_room_for(ShapeKind kind) { kind_counts_[kind]; }  // must be called before set_shape()
     void set_shape(ProxyIndex proxy, std::shared_ptr<const Shape> shape) noexcept;
     void make_room_to_destroy();
     void destroy(ProxyIndex proxy) noexcept;
@@ -106,14 +109,14 @@ class Bodies {
 
     std::size_t solid_count() const noexcept { return solid_count_; }  // living bodies that are solids
 
-    // Returns the number of living bodies of each kind. A number may be 0.
+    // Returns the number of living bodies by kind. A kind without living bodies may be listed, with 0.
     const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
 
-    // Returns the least kind of which a living body's shape does not answer hits; nothing if all answer. Cost: a
-    // constant if all answer, otherwise a pass over the slots.
+    // Returns the least kind that has a living body whose shape does not answer Question::hits; nullopt if all shapes
+    // answer it. Cost: constant if all answer it, otherwise one pass over the slots.
     std::optional<ShapeKind> kind_without_hits() const noexcept;
 
-    // True if there are two bodies, one of each kind.
+    // True if the world has a pair of distinct living bodies, one of kind a and one of kind b.
     bool has_pair_of(ShapeKind a, ShapeKind b) const;
 
     std::size_t memory_bytes() const noexcept;
@@ -133,7 +136,7 @@ class Bodies {
     void count(const Slot& slot) noexcept;
     void discount(const Slot& slot) noexcept;
 
-    const std::uint16_t world_number_;  // BodyId::world of all ids given
+    const std::uint16_t world_number_;  // BodyId::world of all ids that this world gives
     std::vector<Slot> slots_;
     std::vector<ProxyIndex> free_slots_;
     std::size_t reserved_ = 0;

@@ -9,22 +9,23 @@
 namespace ecods {
 namespace {
 
-// Lists for each proxy its partners with larger numbers: each pair of the cache once.
+// Lists, for each proxy, its partners in cached pairs that have a larger index. So each cached pair is listed once.
 class PartnerLists {
   public:
-    // Fills the lists by counting, without comparing pairs.
+    // Fills the lists by a counting sort, which compares no pairs.
     PartnerLists(const VerdictCache& cache, ProxyIndex proxy_end)
         : ends_(std::size_t{proxy_end} + 1), partners_(cache.size()) {
         for (VerdictIndex index = 0; index < cache.size(); ++index) ++ends_[cache[index].proxies().a + 1];
         for (std::size_t proxy = 1; proxy < ends_.size(); ++proxy) ends_[proxy] += ends_[proxy - 1];
-        // Each entry of ends_ is now where its list begins. The loop below advances it to where the list ends.
+        // Before the loop below, ends_[proxy] is where the list of `proxy` begins; the loop advances it to where the
+        // list ends.
         for (VerdictIndex index = 0; index < cache.size(); ++index) {
             const ProxyPair pair = cache[index].proxies();
             partners_[ends_[pair.a]++] = pair.b;
         }
     }
 
-    // Returns the partners of the proxy that have larger numbers, in no order.
+    // Returns the partners of `proxy` that have larger indices, in no promised order.
     std::span<const ProxyIndex> of(ProxyIndex proxy) const noexcept {
         const std::size_t begin = proxy == 0 ? 0 : ends_[proxy - 1];
         return {partners_.data() + begin, ends_[proxy] - begin};
@@ -53,7 +54,7 @@ void CachedPairs::compare(const ProxyTable& table, const ProxyChanges& changes, 
     const PartnerLists kept(cache_, table.end());
     const bool has_removed = !changes.removed.empty();
     std::vector<ProxyIndex> kept_with(table.end(),
-                                      nobody);  // by partner: the smaller proxy of a kept pair that was not found yet
+                                      nobody);  // by partner: smaller proxy of a cached pair not found yet
     auto pair = found.begin();
     for (ProxyIndex proxy = 0; proxy < table.end(); ++proxy) {
         for (const ProxyIndex partner : kept.of(proxy)) kept_with[partner] = proxy;

@@ -1,4 +1,4 @@
-// Shows the pairs of the verdict cache to the finders of overlapping pairs.
+// Gives the finders of overlapping pairs access to the pairs in the verdict cache.
 #pragma once
 
 #include "broad_phase/changes/pair_events.hpp"
@@ -6,15 +6,17 @@
 
 namespace ecods {
 
-// The cache must hold the pairs of the last update, and must have taken over all events of the finder.
+// CachedPairs reads the pairs of the last update from the cache, so the cache must have taken over all events that the
+// finder has reported.
 class CachedPairs final : public PairKeeper {
   public:
     explicit CachedPairs(const VerdictCache& cache) : cache_(cache) {}
 
-    // Cost: proportional to the pairs of the removed boxes.
+    // Appends to `ended` each cached pair of a removed box, once. Cost: proportional to the number of these pairs.
     void append_removed(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& ended) override;
 
-    // Cost: some passes over the cache, one over `found` and one over the proxies, and sorting the pairs that ended.
+    // Sets `events` to the differences between the cached pairs and the pairs `found`, which must be sorted. Cost: some
+    // passes over the cache, one over `found` and one over the proxies, and sorting the pairs that ended.
     void compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found, PairEvents& events) override;
 
   private:

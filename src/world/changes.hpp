@@ -13,17 +13,17 @@
 
 namespace ecods {
 
-// Change says what happened to a body. If several things happened, the greatest value counts.
+// Says what happened to a body since the last update. If several changes happened to one body, the greatest is stored.
 enum class Change : std::uint8_t {
     none = 0,
-    filter = 1,  // its filter alone: a verdict holds if the pair was and is not filtered out
-    test = 2,    // the test of its kind: its verdicts are void, though it did not move
-    body = 3,    // its pose or shape, or it was created or destroyed: its verdicts are void
+    filter = 1,  // only its collision filter changed: verdicts of its pairs hold unless their filtering changed
+    test = 2,    // a two-body test of its kind was replaced: verdicts of its pairs are void, though it did not move
+    body = 3,    // it was moved, reshaped, created or destroyed: verdicts of its pairs are void
 };
 
 class Changes {
   public:
-    // ---- reserving memory, before a change that must not fail
+    // ---- functions that reserve memory, to be called before a change that must not fail
     void reserve(std::size_t body_count) {
         changes_.reserve(body_count);
         changed_.reserve(body_count);
@@ -52,7 +52,7 @@ class Changes {
         return changes_[pair.a] >= Change::test || changes_[pair.b] >= Change::test;
     }
 
-    // Returns each changed body once, destroyed ones included.
+    // Returns the changed bodies, each once; bodies that were destroyed are included.
     std::span<const ProxyIndex> bodies() const noexcept { return changed_; }
 
     // Sorts the pairs that were switched on or off, and removes duplicates.
@@ -62,7 +62,7 @@ class Changes {
     }
     std::span<const ProxyPair> switched() const noexcept { return switched_; }
 
-    // Forgets all changes, after an update that succeeded.
+    // Forgets all changes. To be called after an update that succeeded.
     void clear() noexcept {
         for (const ProxyIndex proxy : changed_) changes_[proxy] = Change::none;
         changed_.clear();
@@ -72,7 +72,7 @@ class Changes {
     std::size_t memory_bytes() const noexcept { return bytes_of(changes_, changed_, switched_); }
 
   private:
-    std::vector<Change> changes_;  // by proxy; listed in changed_ unless none
+    std::vector<Change> changes_;  // by proxy; a proxy is in changed_ unless its value is `none`
     std::vector<ProxyIndex> changed_;
     std::vector<ProxyPair> switched_;
 };

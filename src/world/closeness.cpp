@@ -16,7 +16,8 @@ void Closeness::follow(const OverlapTracker& boxes, const Bodies& bodies, Change
     for (const VerdictIndex index : pairs_.tests()) test_count_ += pairs_.verdicts()[index].answer == Answer::none;
 }
 
-// Sets each box whatever it was before, so that an update that failed half-way need not be undone.
+// Gives each changed body its enlarged box in tracker_; gives all bodies theirs if the clearance changed. Any earlier
+// state of a box is overwritten, so an update that failed half-way need not be undone.
 void Closeness::follow_boxes(const OverlapTracker& boxes, const Bodies& bodies, const Changes& changes) {
     if (!tracker_) tracker_.emplace(kind_);
     generations_.resize(bodies.end());
@@ -33,8 +34,8 @@ void Closeness::follow_boxes(const OverlapTracker& boxes, const Bodies& bodies, 
     reached_ = wanted_;
 }
 
-// Removes the old box if the slot was given to another body since: the pairs of the old body end, even if the new box
-// is the same.
+// Updates the enlarged box of one slot. If the slot now holds another body than at the last update, the old box is
+// removed first: so the pairs of the old body end, even if the new box equals the old one.
 void Closeness::follow_box(ProxyIndex proxy, const OverlapTracker& boxes, const Slot& slot) {
     bool is_here = tracker_->table().is_present(proxy);
     if (is_here && (!slot.is_alive() || generations_[proxy] != slot.generation)) {
@@ -47,8 +48,9 @@ void Closeness::follow_box(ProxyIndex proxy, const OverlapTracker& boxes, const 
     generations_[proxy] = slot.generation;
 }
 
-// Answers yes for each pair that this update found to collide. A pair that collided before and was not tested again
-// keeps its verdict here; if the clearance changed, it is asked again, which its witness makes cheap.
+// Sets the answer `yes` for each pair that this update has found to collide, so that it is not tested for closeness. A
+// pair that collides and was not tested in this update keeps its cached verdict. If the clearance has changed, such a
+// pair is tested again, at little cost because its witness is tried first.
 void Closeness::take_collisions(const PairVerdicts& collisions) {
     for (const VerdictIndex index : collisions.tests()) {
         const Verdict& verdict = collisions.verdicts()[index];
@@ -93,8 +95,8 @@ std::size_t Closeness::memory_bytes() const noexcept {
     return pairs_.memory_bytes() + bytes_of(generations_);
 }
 
-// Throws unless the enlarged box reaches far enough. Its ends may have been computed in another rounding mode, so each
-// may fall short by two doubles.
+// Throws if the enlarged box `reaching` does not reach half the clearance beyond `box`. Each end may fall short by two
+// doubles, because it may have been computed in another rounding mode.
 void Closeness::validate_box(const Aabb& box, const Aabb& reaching) const {
     const Aabb expected = enlarged(box, *listed_);
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,5 @@
-// Keeps the pairs of bodies that are within the clearance: enlarged boxes find them, and their verdicts are kept like
-// collisions.
+// Finds the pairs of bodies that are within the clearance. Enlarged boxes give the candidate pairs; the verdicts of
+// these pairs are cached, as the verdicts of collisions are.
 #pragma once
 
 #include <cstddef>
@@ -16,51 +16,53 @@
 
 namespace ecods {
 
-// Compares by bits, as the processor may take two subnormal numbers for zero.
+// Returns true if both clearances are absent, or both have equal values. Compares by bits, because a processor that
+// flushes subnormal numbers compares two of them as equal.
 inline bool is_same_clearance(const std::optional<double>& a, const std::optional<double>& b) noexcept {
     return a.has_value() == b.has_value() && (!a || key_of(*a) == key_of(*b));
 }
 
-// Closeness has a broad phase of its own, made by the first update with a clearance. It finds the pairs whose boxes
-// overlap when each is enlarged by half the clearance; their verdicts are kept like those of collisions.
+// Closeness has a broad phase of its own, which the first update with a clearance creates. Each body's box is enlarged
+// there by half the clearance, and each pair of boxes that overlap has a cached verdict.
 //
-// An update calls follow(), answers each test of pairs() that has no answer, and calls prepare() and commit(). If one
-// of these steps throws, the lists stay as they were.
+// An update calls follow(), answers each test of pairs() whose answer is `none`, and then calls prepare() and commit().
+// If one of these steps throws, the lists stay as they were.
 class Closeness {
   public:
     explicit Closeness(BroadPhaseKind kind) : kind_(kind) {}
 
-    // Sets the clearance from the next update on; empty: no pair is close. It must be finite and not negative.
+    // Sets the clearance for the next updates. With nullopt no pair is close. The clearance must be finite and not
+    // negative.
     void set(std::optional<double> clearance) noexcept { wanted_ = clearance; }
     std::optional<double> wanted() const noexcept { return wanted_; }
 
-    // Returns the question that every test must answer; nothing without a clearance.
+    // Returns the question that every two-body test must be able to answer; nullopt if no clearance is set.
     std::optional<Question> question() const noexcept {
         return wanted_ ? std::optional(Question::within) : std::nullopt;
     }
 
-    // Returns the clearance with which the lists were made.
+    // Returns the clearance of the last update, with which the lists were made.
     std::optional<double> listed() const noexcept { return listed_; }
 
-    // True if an update before which no body changed has nothing to do.
+    // True if the clearance is that of the last update: if no body has changed either, an update has nothing to do.
     bool is_up_to_date() const noexcept { return is_same_clearance(wanted_, listed_); }
 
-    // Finds the pairs to be tested. A pair that `collisions` found to collide in the same update is close and needs no
-    // test. `boxes` has the boxes of the bodies, not enlarged.
+    // Finds the pairs to be tested. Pairs that `collisions` has found to collide in the same update are close, so they
+    // get their answer without a test. `boxes` has the boxes of the bodies, not enlarged.
     void follow(const OverlapTracker& boxes, const Bodies& bodies, Changes& changes, const PairVerdicts& collisions);
     PairVerdicts& pairs() noexcept { return pairs_; }
     const PairVerdicts& pairs() const noexcept { return pairs_; }
     void prepare();
     void commit() noexcept;
-    void idle() noexcept;  // in place of these steps, for an update before which nothing changed
+    void idle() noexcept;  // replaces the steps of an update if nothing has changed
 
     ClearanceStatistics statistics() const;
     std::size_t memory_bytes() const noexcept;
 
-    // Returns the enlarged boxes. The last update must have been made with a clearance.
+    // Returns the tracker of the enlarged boxes. Call only if the last update had a clearance.
     const OverlapTracker& tracker() const { return *tracker_; }
 
-    // Throws BrokenInvariant unless the enlarged boxes fit the bodies. Call it after an update that succeeded.
+    // Throws BrokenInvariant if an enlarged box does not fit its body. Call only after an update that succeeded.
     void validate(const Bodies& bodies, const OverlapTracker& boxes) const;
 
   private:
@@ -71,12 +73,12 @@ class Closeness {
 
     BroadPhaseKind kind_;
     std::optional<double> wanted_, listed_;
-    std::optional<double> reached_;           // clearance of all boxes in tracker_; empty while they change
-    std::optional<OverlapTracker> tracker_;   // empty without a clearance
-    std::vector<std::uint16_t> generations_;  // by proxy: generation of the body whose box is in tracker_
+    std::optional<double> reached_;  // clearance by which tracker_'s boxes are enlarged; empty while they change
+    std::optional<OverlapTracker> tracker_;   // empty until an update has a clearance
+    std::vector<std::uint16_t> generations_;  // by proxy: generation of the body whose enlarged box tracker_ has
     PairVerdicts pairs_;
     std::size_t test_count_ = 0;      // pairs that the current update must test
-    ClearanceStatistics statistics_;  // sums alone; statistics() fills in the rest
+    ClearanceStatistics statistics_;  // running totals only; statistics() fills in the other members
 };
 
 }  // namespace ecods

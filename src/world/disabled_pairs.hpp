@@ -1,4 +1,4 @@
-// Holds the pairs that the caller switched off.
+// Stores the pairs of bodies that the caller switched off.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,17 @@ namespace ecods {
 
 class DisabledPairs {
   public:
-    // Return true if this changed anything. A call that throws changes nothing.
+    // Insert or erase a pair, and return true if the set changed. A call that throws changes nothing.
     bool insert(ProxyPair pair);
     bool erase(ProxyPair pair) noexcept;
 
-    // True if the pair is switched off. Searches only if both bodies have a pair here.
+    // True if the pair is switched off. The set is searched only if each of the two bodies is in a pair that is
+    // switched off.
     bool contains(ProxyPair pair) const noexcept {
         return count_of(pair.a) != 0 && count_of(pair.b) != 0 && pairs_.contains({pair.a, pair.b});
     }
 
-    // Removes all pairs of a body.
+    // Removes all pairs of this body.
     void forget(ProxyIndex proxy) noexcept;
 
     // Returns the pairs, ascending.
@@ -33,8 +34,8 @@ class DisabledPairs {
   private:
     std::uint32_t count_of(ProxyIndex proxy) const noexcept { return proxy < counts_.size() ? counts_[proxy] : 0; }
 
-    std::set<std::pair<ProxyIndex, ProxyIndex>> pairs_;  // each pair in both orders
-    std::vector<std::uint32_t> counts_;                  // number of pairs, by proxy
+    std::set<std::pair<ProxyIndex, ProxyIndex>> pairs_;  // each pair twice: as (a, b) and as (b, a)
+    std::vector<std::uint32_t> counts_;                  // by proxy: number of its pairs
 };
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Keeps the error that an update throws when the tests of several pairs threw.
+// Chooses the error that an update throws if the tests of several pairs threw errors.
 #pragma once
 
 #include <exception>
@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// Keeps the error of the first pair, in the order of pairs and not of time. So the error that is thrown depends neither
-// on workers nor on history.
+// FirstFailure keeps the error of the least pair, by ids and not by time. So the error that an update throws depends
+// neither on the workers nor on the order of the tests.
 class FirstFailure {
   public:
     void keep(const BodyPair& bodies, std::exception_ptr error) {

@@ -3,14 +3,32 @@
 #include "ecods/cast.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
+#include "query/body/posed_body.hpp"
 #include "query/intersection/mesh_intersection_test.hpp"
+#include "query/solid/solid_parts.hpp"
 
 namespace ecods {
 namespace {
 
 class MeshMeshTest final : public MeshIntersectionTest {
   public:
+    explicit MeshMeshTest(PosedBody::Meaning meaning) : is_of_surfaces_(meaning == PosedBody::Meaning::surface) {}
+
     bool answers(Question question) const noexcept override { return question != Question::hits; }
+
+    // Saves surfaces, the most frequent bodies, a copy of their poses.
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        if (is_of_surfaces_ || are_surfaces(*mesh_in(a), *mesh_in(b)))
+            return MeshIntersectionTest::intersects(a, b, ask);
+        return ecods::intersects(mesh_of(a), mesh_of(b), ask);
+    }
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return ecods::relation(mesh_of(a), mesh_of(b), ask);
+    }
+    std::vector<TrianglePair> intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
+                                                     const Ask& ask) const override {
+        return ecods::intersecting_triangles(mesh_of(a), mesh_of(b), ask);
+    }
 
     double distance(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         return ecods::distance(mesh_of(a), mesh_of(b), ask);
@@ -40,18 +58,30 @@ class MeshMeshTest final : public MeshIntersectionTest {
     }
 
   private:
-    static Moving<MeshShape> mesh_of(const Moving<Shape>& moving) {
-        return {static_cast<const MeshShape&>(*moving.what), moving.from, moving.to};
+    template <class PosedOrMoving>
+    static const MeshShape* mesh_in(const PosedOrMoving& body) noexcept {
+        return static_cast<const MeshShape*>(body.what);
     }
-    static Posed<MeshShape> mesh_of(const Posed<Shape>& posed) {
-        return {static_cast<const MeshShape&>(*posed.what), posed.pose};
+    const MeshShape& meant(const MeshShape& shape) const {
+        const bool is_meant = !is_of_surfaces_ || shape.form() == MeshForm::surface;
+        return is_meant ? shape : *SolidAccess::surface(static_cast<const Solid&>(shape));
     }
+    Moving<MeshShape> mesh_of(const Moving<Shape>& moving) const {
+        return {meant(*mesh_in(moving)), moving.from, moving.to};
+    }
+    Posed<MeshShape> mesh_of(const Posed<Shape>& posed) const { return {meant(*mesh_in(posed)), posed.pose}; }
+
+    bool is_of_surfaces_;
 };
 
 }  // namespace
 
 std::shared_ptr<const TwoBodyTest> make_mesh_mesh_test() {
-    return std::make_shared<MeshMeshTest>();
+    return std::make_shared<MeshMeshTest>(PosedBody::Meaning::set);
+}
+
+std::shared_ptr<const TwoBodyTest> make_surface_surface_test() {
+    return std::make_shared<MeshMeshTest>(PosedBody::Meaning::surface);
 }
 
 }  // namespace ecods

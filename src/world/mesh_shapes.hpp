@@ -1,4 +1,4 @@
-// Shares one MeshShape, and so one tree, among all bodies of a mesh while any of them lives.
+// Shares one MeshShape, and so one tree, among all bodies of a mesh, as long as any of these bodies lives.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace ecods {
 
 class MeshShapes {
   public:
-    // Returns the shape of the mesh, and makes it if it is not known. Throws InvalidArgument for null.
+    // Returns the shape of the mesh, and creates it if no living body has it. Throws InvalidArgument if `mesh` is null.
     std::shared_ptr<const MeshShape> shape_of(const std::shared_ptr<const Mesh>& mesh);
 
-    std::shared_ptr<const MeshShape> find(const std::shared_ptr<const Mesh>& mesh) const;  // null: not known
+    std::shared_ptr<const MeshShape> find(const std::shared_ptr<const Mesh>& mesh) const;  // null if not known
 
   private:
     std::unordered_map<const Mesh*, std::weak_ptr<const MeshShape>> shapes_;
-    std::size_t size_max_ = 16;  // when there are this many entries, those of dead shapes are removed
+    std::size_t size_max_ = 16;  // number of entries at which the entries of dead shapes are removed
 };
 
 }  // namespace ecods

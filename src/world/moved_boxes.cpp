@@ -10,8 +10,8 @@
 namespace ecods {
 namespace {
 
-// Returns the shape as a mesh if its box() is the library's own, otherwise null: a caller's derived class may override
-// it.
+// Returns the shape as a mesh if its box() is the library's own; otherwise null, because a caller's derived class may
+// override box().
 const MeshShape* as_own_mesh(const Shape& shape) {
     const std::type_info& type = typeid(shape);
     const bool is_own = type == typeid(MeshShape) || type == typeid(Solid) || type == typeid(ConvexSolid);
@@ -21,7 +21,7 @@ const MeshShape* as_own_mesh(const Shape& shape) {
 }  // namespace
 
 bool MovedBoxes::add(const Shape& shape, const Pose& pose, std::size_t index) {
-    // The shifts drop the lowest bits, which differ little: shapes lie some hundred bytes from each other.
+    // Hashes the address. The shifts drop its lowest bits, which hardly differ: shapes lie some hundred bytes apart.
     const auto address = reinterpret_cast<std::uintptr_t>(&shape);
     Batch& batch = batches_[(address >> 4 ^ address >> 7) % batches_.size()];
     if (batch.shape != &shape) {

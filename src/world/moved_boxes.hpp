@@ -1,7 +1,7 @@
-// Finds the boxes of many bodies at new poses, eight at a time for bodies that share a mesh.
+// Computes the boxes of many bodies at new poses, eight at a time if bodies share a mesh.
 //
-// The calling thread does all the work. An executor was tried: at 4,096 to 65,536 bodies, two threads took 2 to 16 ns a
-// body longer than one, because eight boxes are found before their poses reach another core.
+// The calling thread does all the work. Using the executor was tried: for 4,096 to 65,536 bodies, two threads took 2 to
+// 16 ns a body longer than one thread. Eight boxes are computed sooner than their poses reach another core.
 #pragma once
 
 #include <array>
@@ -14,29 +14,29 @@
 
 namespace ecods {
 
-// Collects poses in batches, one batch for each of some shapes, and finds the boxes of a batch when it has eight poses.
-// Shapes may be added in any order.
+// Collects poses in batches, a batch for each of the last few shapes, and computes the boxes of a batch as soon as it
+// has eight poses. Shapes may be added in any order.
 class MovedBoxes {
   public:
-    // Writes the boxes to `boxes`, which must stay in place until all are found.
+    // Stores the results in `boxes`, which must stay valid until finish() returns.
     explicit MovedBoxes(std::vector<Aabb>& boxes) noexcept : boxes_(boxes) {}
     MovedBoxes(const MovedBoxes&) = delete;
     MovedBoxes& operator=(const MovedBoxes&) = delete;
 
-    // Returns true if boxes[index] will become the box of the shape; it has its value after finish(). Returns false if
-    // the caller must ask box() itself: the answer of a caller's class must be checked, and may be an exception. `pose`
-    // must outlive this object.
+    // Adds a pose of the shape. Returns true if boxes[index] will be set to the shape's box, at the latest by finish();
+    // `pose` must outlive this object. Returns false if the caller must call shape.box() itself: the shape is of a
+    // caller's class, whose answer must be checked and which may throw.
     bool add(const Shape& shape, const Pose& pose, std::size_t index);
 
-    // Finds the boxes that are still missing.
+    // Computes the boxes of all batches that have fewer than eight poses.
     void finish();
 
   private:
     static constexpr std::size_t batch_size = 8;
     struct Batch {
         const Shape* shape = nullptr;
-        const MeshShape* mesh = nullptr;  // null: add() returns false
-        std::size_t count = 0;            // waiting poses
+        const MeshShape* mesh = nullptr;  // null if add() must return false for `shape`
+        std::size_t count = 0;            // poses whose boxes are not computed yet
         std::array<const Pose*, batch_size> poses;
         std::array<std::size_t, batch_size> indices;
     };

@@ -1,6 +1,6 @@
-// Keeps the pairs of bodies whose boxes overlap, each with the exact answer to one question, and the lists that follow
-// from the answers. With the bodies' own boxes the question is whether two bodies collide; with enlarged boxes, whether
-// they are close.
+// Stores the pairs of bodies whose boxes overlap, each with its exact answer to one question, and the lists that follow
+// from the answers. For the bodies' own boxes the question is whether two bodies collide; for enlarged boxes, whether
+// two bodies are close.
 #pragma once
 
 #include <cstddef>
@@ -16,40 +16,43 @@
 
 namespace ecods {
 
-// An update calls follow() and collect(), answers each test that has no answer, and calls prepare() and commit(). If
-// one of these steps throws, the lists stay as they were, and the next update goes on from the pairs that were
-// followed.
+// An update calls follow() and collect(), sets the answer of each test whose answer is `none`, and then calls prepare()
+// and commit(). If one of these steps throws, the lists stay as they were; the next update continues with the pairs
+// that follow() had reached.
 class PairVerdicts {
   public:
     void reserve_bodies(std::size_t count) { verdicts_.reserve(0, count); }
 
-    // Updates the tracker, and makes the pairs here those whose boxes overlap. Adds the number of pairs that it looks
-    // at to `visited_pairs`, as collect() does.
+    // Updates the tracker, and then adds and removes pairs until the stored pairs are those whose boxes overlap.
+    // Increments `visited_pairs` by the number of pairs that it looks at; so does collect().
     void follow(OverlapTracker& tracker, const Bodies& bodies, std::uint64_t& visited_pairs);
 
-    // Makes tests() the pairs of which a body changed, or that were switched on or off; if all verdicts are void, all
-    // pairs. Leaves out each pair whose verdict still holds. Sets the answers of tests() to `none` or `filtered_out`.
+    // Sets tests() to the pairs that have a changed body or were switched on or off; to all pairs if `all_are_void`.
+    // Leaves out pairs that were filtered out and still are, and pairs whose verdict still holds. Sets the answer of
+    // each test to `filtered_out`, or to `none` if the pair must be tested.
     void collect(const Bodies& bodies, Changes& changes, bool all_are_void, std::uint64_t& visited_pairs);
     std::span<const VerdictIndex> tests() const noexcept { return tests_; }
     Answer& answer(VerdictIndex index) noexcept { return verdicts_.answer(index); }
 
-    // Makes the next lists of events from the answers.
+    // Computes the lists of events that commit() will publish, from the answers.
     void prepare();
 
-    // Makes the answers and the next lists the current ones. Returns the number of tests that were not filtered out.
+    // Makes the answers and the prepared lists the current ones. Returns the number of tests that were not filtered
+    // out.
     std::size_t commit() noexcept;
 
-    // Takes the place of these steps in an update before which nothing changed.
+    // Replaces follow() to commit() in an update before which nothing changed.
     void clear_events() noexcept;
 
-    // Takes the place of these steps: all listed pairs end, and all pairs are removed.
+    // Replaces follow() to commit() in an update that removes all pairs: reports that every positive pair ended, then
+    // removes all pairs.
     void end_all() noexcept;
 
     const VerdictCache& verdicts() const noexcept { return verdicts_; }
     PairWitness& witness(VerdictIndex index) noexcept { return verdicts_.witness(index); }
 
-    const BodyPairs& overlapping();                                   // made on demand
-    const BodyPairs& positive() const noexcept { return positive_; }  // pairs with the answer yes
+    const BodyPairs& overlapping();                                   // computed by this call if it is stale
+    const BodyPairs& positive() const noexcept { return positive_; }  // pairs whose answer is yes
     const BodyPairs& began() const noexcept { return began_; }
     const BodyPairs& ended() const noexcept { return ended_; }
 
@@ -65,8 +68,8 @@ class PairVerdicts {
 
     VerdictCache verdicts_;
     std::vector<VerdictIndex> tests_;
-    BodyPairs lost_;  // positive pairs that are candidates no more, since the last update that succeeded; unordered
-    BodyPairs next_began_, next_ended_;  // of the current update
+    BodyPairs lost_;  // positive pairs whose boxes parted since the last successful update; unordered
+    BodyPairs next_began_, next_ended_;  // lists that prepare() computes
 
     BodyPairs overlapping_;
     bool overlapping_is_stale_ = false;

@@ -9,15 +9,16 @@ namespace ecods {
 
 using BodyPairs = std::vector<BodyPair>;
 
-// Removes the pairs `gone` from `list`. Both are ascending, and `list` contains all of `gone`. Cost: a binary search
-// for each pair, and moving the elements behind the first one.
+// Removes the pairs `gone` from `list`. Both lists must be ascending, and `list` must contain all of `gone`. Cost: a
+// binary search for each pair of `gone`, and moving the elements of `list` behind the first removed pair.
 void remove_sorted(BodyPairs& list, const BodyPairs& gone) noexcept;
 
-// Inserts the pairs `more` into `list`. Both are ascending and have no pair in common. Does not throw if the capacity
-// suffices. Cost: as for remove_sorted().
+// Inserts the pairs `more` into `list`. Both lists must be ascending and have no pair in common. Does not throw if the
+// capacity of `list` suffices. Cost: a binary search for each pair of `more`, and moving the elements of `list` behind
+// it.
 void add_sorted(BodyPairs& list, const BodyPairs& more);
 
-// Removes the pairs that both lists contain from both. Both are ascending.
+// Removes from both lists the pairs that are in both. Both lists must be ascending.
 void cancel_common(BodyPairs& first, BodyPairs& second) noexcept;
 
 }  // namespace ecods

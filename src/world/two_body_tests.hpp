@@ -1,20 +1,20 @@
-// Finds the test that decides about two kinds of shape.
+// Stores the two-body tests, by the two kinds of shape that a test takes.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <utility>
 
-#include "ecods/shape.hpp"
+#include "ecods/two_body_test.hpp"
 
 namespace ecods {
 
-// Holds the test of two kinds, and whether it was registered for the other order of the kinds.
+// Holds the test of two kinds of shape, and says in which order it takes the two.
 struct OrderedTest {
     const TwoBodyTest* test;
     bool swapped;  // true if the test takes the shape of the second kind first
 
-    // Asks a question of TwoBodyTest about a and b, in the order of the test; `arguments` follow the two.
+    // Calls the member function `question` of the test with a and b, in the order that the test takes, and `arguments`.
     template <class Question, class... Arguments>
     auto ask(const Posed<Shape>& a, const Posed<Shape>& b, Question question, Arguments&&... arguments) const {
         return swapped ? (test->*question)(b, a, arguments...) : (test->*question)(a, b, arguments...);
@@ -26,7 +26,7 @@ class TwoBodyTests {
     void set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test);
     bool has(ShapeKind a, ShapeKind b) const;
 
-    // Requires has(a, b).
+    // Returns the test of the two kinds. Call only if has(a, b).
     OrderedTest find(ShapeKind a, ShapeKind b) const {
         if (a == ShapeKind::mesh() && b == ShapeKind::mesh()) return {mesh_mesh_, false};
         return find_in_map(a, b);

@@ -11,7 +11,7 @@ namespace ecods {
 void VerdictCache::reserve(std::size_t verdict_count, std::size_t proxy_end) {
     if (proxy_end > firsts_.size()) firsts_.resize(proxy_end, no_verdict);
     if (verdict_count > verdicts_.capacity()) verdicts_.reserve(std::max(verdict_count, 2 * verdicts_.capacity()));
-    // Keeps at most three places in four taken, so that probes stay short.
+    // Grows the table if more than three quarters of its places would be taken, so that probes stay short.
     if (verdict_count * 4 > places_.size() * 3) {
         std::vector<Place> places(std::bit_ceil(std::max<std::size_t>(16, verdict_count * 4 / 3 + 1)));
         places_.swap(places);
@@ -82,8 +82,9 @@ void VerdictCache::take_place(VerdictIndex index) noexcept {
     places_[place] = {hash, index};
 }
 
-// Moves the entries that follow up into the gap, unless that would put one before its own place (Knuth, volume 3,
-// algorithm 6.4R). No marks of removed entries are left, so probes are as short as if the entry had never been here.
+// Empties a place. Fills the gap with an entry that follows, unless the entry would then stand before its home place,
+// and so on for the gap that this entry leaves (Knuth, volume 3, algorithm 6.4R). No mark of a removed entry remains,
+// so probes do not get longer.
 void VerdictCache::free_place(std::size_t place) noexcept {
     const std::size_t mask = places_.size() - 1;
     for (std::size_t other = (place + 1) & mask; places_[other].index != no_verdict; other = (other + 1) & mask) {
@@ -106,7 +107,8 @@ void VerdictCache::link(VerdictIndex index, int side) noexcept {
     firsts_[proxy] = index;
 }
 
-// Sets the links of a verdict's neighbours in a list: the next one links back to `back`, the previous one on to `on`.
+// Changes the links that point to a verdict in the list of its body number `side`: the next verdict then links back to
+// `back`, and the previous verdict (or the list's beginning) links on to `on`.
 void VerdictCache::link_neighbours(const Verdict& verdict, int side, VerdictIndex back, VerdictIndex on) noexcept {
     const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
     const VerdictIndex next = verdict.next[side], previous = verdict.previous[side];
@@ -119,7 +121,7 @@ void VerdictCache::unlink(VerdictIndex index, int side) noexcept {
     link_neighbours(verdict, side, verdict.previous[side], verdict.next[side]);
 }
 
-// Moves a verdict to an index whose own verdict is in no list any more.
+// Moves the verdict at `from` to the index `to`. The verdict that is at `to` must already be unlinked from its lists.
 void VerdictCache::relocate(VerdictIndex from, VerdictIndex to) noexcept {
     const Verdict& verdict = verdicts_[from];
     places_[place_of(verdict.proxies())].index = to;
@@ -150,8 +152,8 @@ void VerdictCache::validate() const {
     const auto taken = std::ranges::count_if(places_, [](const Place& place) { return place.index != no_verdict; });
     require(static_cast<std::size_t>(taken) == verdicts_.size(), "the cache has places for other pairs");
 
-    // The lists are whole if each holds pairs of its own body alone, with right links back, and all together have two
-    // entries for each verdict.
+    // Checks the lists: each must hold only pairs of its own body, with correct links back, and all lists together must
+    // have two entries for each verdict.
     std::size_t visits = 0;
     for (ProxyIndex proxy = 0; proxy < proxy_end(); ++proxy) {
         VerdictIndex previous = no_verdict;

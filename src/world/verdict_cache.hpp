@@ -1,12 +1,13 @@
-// Keeps the verdicts of the candidate pairs while neither body changes.
+// Caches the verdicts of the candidate pairs: a verdict holds while neither body of its pair changes.
 //
-// This is the collision cache of the ECoDS report: a pair that did not move is not tested again. A pair is here exactly
-// while its boxes overlap, even while it is filtered out: it must be found when its filter changes.
+// The ECoDS report calls this the collision cache: a pair that did not move is not tested again. The cache holds
+// exactly the pairs whose boxes overlap. It also holds those that are filtered out, since a change of filters must find
+// them.
 //
-// Verdicts are stored side by side. Each is in two linked lists, one of the pairs of each of its bodies; the links are
-// stored in the verdict. So a body that moved finds its pairs without hashing. A hash table by the two bodies finds a
-// pair that ends. Memory: 44 bytes a verdict, 4 bytes a body, and 8 bytes for each place of the table, of which at
-// least a quarter is empty.
+// Verdicts are stored in one array. Each verdict is in two doubly linked lists, one for each of its bodies; the verdict
+// stores the links. So a body that moved finds its pairs without hashing. A hash table, by the two bodies, finds a pair
+// that ends. Memory: 44 bytes a verdict, 4 bytes a body, and 8 bytes for each place of the table; at least a quarter of
+// the places are empty.
 #pragma once
 
 #include <array>
@@ -20,35 +21,35 @@
 
 namespace ecods {
 
-// A verdict keeps its index until a verdict is removed.
+// Index of a verdict in the array. It stays valid until some verdict is removed.
 using VerdictIndex = std::uint32_t;
 inline constexpr VerdictIndex no_verdict = ~VerdictIndex{0};
 
-// An update gives each pair that it looks at an answer; `none` until the pair is tested.
+// Holds the answer of the current update to a pair. It is `none` until the pair is tested.
 enum class Answer : std::uint8_t { none, filtered_out, no, yes };
 
 struct Verdict {
-    BodyPair bodies;                     // with the generations of when the pair began
-    std::array<VerdictIndex, 2> next{};  // in the lists of bodies.a and of bodies.b
+    BodyPair bodies;                     // ids of the bodies when the pair began
+    std::array<VerdictIndex, 2> next{};  // links in the lists of bodies.a and of bodies.b
     std::array<VerdictIndex, 2> previous{};
     PairWitness witness{};         // left by the last test of the pair
-    bool is_enabled = false;       // true if not filtered out; false until the pair is tested
-    bool is_positive = false;      // the last answer; false unless enabled
-    Answer answer = Answer::none;  // of the current update, if it looks at the pair
+    bool is_enabled = false;       // true if the last test was not filtered out; false before a test
+    bool is_positive = false;      // the last answer was yes; false unless enabled
+    Answer answer = Answer::none;  // of the current update, if the update looks at the pair
 
     ProxyPair proxies() const noexcept { return {bodies.a.slot - 1, bodies.b.slot - 1}; }
 };
 
 class VerdictCache {
   public:
-    // Reserves memory for this many verdicts in all, of proxies below `proxy_end`: add() does not throw until there are
-    // more. Growth is geometric, however small the steps.
+    // Reserves memory for `verdict_count` verdicts altogether, whose proxies are below `proxy_end`; up to this many,
+    // add() does not throw. Capacity grows geometrically, even if callers reserve in small steps.
     void reserve(std::size_t verdict_count, std::size_t proxy_end);
 
-    void add(const BodyPair& bodies) noexcept;  // the pair must not be here; memory must be reserved
-    Verdict remove(ProxyPair pair) noexcept;    // the pair must be here; other indices may change
+    void add(const BodyPair& bodies) noexcept;  // the pair must not be cached yet; its memory must be reserved
+    Verdict remove(ProxyPair pair) noexcept;    // the pair must be cached; indices of other verdicts may change
 
-    VerdictIndex find(ProxyPair pair) const noexcept;  // no_verdict: not here
+    VerdictIndex find(ProxyPair pair) const noexcept;  // no_verdict if the pair is not cached
     const Verdict& operator[](VerdictIndex index) const noexcept { return verdicts_[index]; }
     void set(VerdictIndex index, bool is_enabled, bool is_positive) noexcept;
     PairWitness& witness(VerdictIndex index) noexcept { return verdicts_[index].witness; }
@@ -57,7 +58,8 @@ class VerdictCache {
     VerdictIndex size() const noexcept { return static_cast<VerdictIndex>(verdicts_.size()); }
     std::size_t enabled_count() const noexcept { return enabled_count_; }
 
-    // Iterate over the pairs of a body, in no order: first(proxy), then next(index, proxy), until no_verdict.
+    // Iterate over the verdicts of a body, in no promised order: begin with first(proxy), continue with next(index,
+    // proxy), and end at no_verdict.
     VerdictIndex first(ProxyIndex proxy) const noexcept { return proxy < firsts_.size() ? firsts_[proxy] : no_verdict; }
     VerdictIndex next(VerdictIndex index, ProxyIndex proxy) const noexcept {
         return verdicts_[index].next[side_of(proxy, index)];
@@ -66,20 +68,21 @@ class VerdictCache {
 
     std::size_t memory_bytes() const noexcept;
 
-    // Throws BrokenInvariant.
+    // Throws BrokenInvariant if the table, the lists and the counts do not agree with the verdicts.
     void validate() const;
 
   private:
     struct Place {
         std::uint32_t hash = 0;
-        VerdictIndex index = no_verdict;  // no_verdict: empty
+        VerdictIndex index = no_verdict;  // no_verdict if the place is empty
     };
 
     int side_of(ProxyIndex proxy, VerdictIndex index) const noexcept {
         return verdicts_[index].bodies.a.slot - 1 == proxy ? 0 : 1;
     }
     static std::uint32_t hash_of(ProxyPair pair) noexcept;
-    std::size_t place_of(ProxyPair pair) const noexcept;  // where the pair is, or would be put
+    std::size_t place_of(
+        ProxyPair pair) const noexcept;  // the place of the pair, or the empty place where it would be put
     void take_place(VerdictIndex index) noexcept;
     void free_place(std::size_t place) noexcept;
     void link(VerdictIndex index, int side) noexcept;
@@ -88,7 +91,7 @@ class VerdictCache {
     void relocate(VerdictIndex from, VerdictIndex to) noexcept;
 
     std::vector<Verdict> verdicts_;
-    std::vector<VerdictIndex> firsts_;  // by proxy: the first of its list
+    std::vector<VerdictIndex> firsts_;  // by proxy: first verdict of its list
     std::vector<Place> places_;         // open addressing with linear probing; the size is a power of two
     std::size_t enabled_count_ = 0;
 };

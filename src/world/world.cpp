@@ -1,6 +1,7 @@
 #include "base/make_error.hpp"
 #include "base/misuse.hpp"
 #include "world/mesh_mesh_test.hpp"
+#include "world/world_access.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -49,6 +50,13 @@ void World::Impl::require_tests_for(ShapeKind kind, const Shape* replaced, std::
     }
 }
 
+void World::Impl::require_update_tests_for(ShapeKind kind, const Shape* replaced) const {
+    require_tests_for(kind, replaced);
+    for (const auto question : update_questions()) {
+        if (question) require_tests_for(kind, replaced, question);
+    }
+}
+
 void World::Impl::require_answers(Question question) const {
     for (const auto& [a, count_a] : bodies.kind_counts()) {
         for (const auto& [b, count_b] : bodies.kind_counts()) {
@@ -64,6 +72,13 @@ void World::Impl::require_answer(ShapeKind a, ShapeKind b, Question question) co
 
 void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b) {
     if (!test.answers(question)) throw NotSupported(question, a, b);
+}
+
+void WorldAccess::take_solids_for_surfaces(World& world) {
+    World::Impl& w = world.impl();
+    w.are_solids_surfaces = true;
+    w.relations.list_solids_alone();
+    w.tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_surface_surface_test());
 }
 
 World::Impl& World::impl() {

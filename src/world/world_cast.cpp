@@ -10,13 +10,13 @@
 namespace ecods {
 namespace {
 
-// Keeps the body that is met first so far.
+// Keeps the body that the moving shape meets first, among the bodies offered so far.
 class FirstMet {
   public:
     explicit FirstMet(double max_time) : least_(max_time) {}
 
-    // Offers a body: `ask(max_time)` returns its first contact up to that time, if there is one. Returns the limit for
-    // later bodies.
+    // Offers a body: `ask(max_time)` returns the first contact with it up to that time, or nullopt. Returns the upper
+    // bound of the times at which later bodies must be met to win.
     template <class Function>
     double take(ProxyIndex proxy, const Function& ask) {
         const auto reach = least_.reach(proxy);
@@ -41,8 +41,8 @@ FirstMet first_met(const Vec3& motion, double max_time) {
     return FirstMet(require_time(max_time));
 }
 
-// Casts `a` against `b`. If the test has the two in the other order, `b` moves by -motion instead, which is the same
-// contact.
+// Casts `a`, moved by `motion`, against `b`. If the test takes the two in the other order, moves `b` by -motion
+// instead, which gives the same contact.
 std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Vec3& motion,
                                     const Posed<Shape>& b, double max_time, QueryMemory& memory) {
     if (!test.swapped) return test.test->cast(a, motion, b, max_time, memory);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,10 @@ void add_bodies(Content& content, const Bodies& bodies) {
     for (const BodyId id : bodies.ids()) {
         const Slot& slot = bodies[id.slot - 1];
         if (slot.kind != ShapeKind::mesh()) throw NotSupported(Question::certify, slot.kind, slot.kind, id);
+        if (slot.form != MeshForm::surface) {
+            throw NotSupported("slot " + std::to_string(id.slot) +
+                               ": its body is a solid, and a certificate is about surfaces");
+        }
         content.bodies.push_back({id, std::static_pointer_cast<const MeshShape>(slot.shape), slot.pose, slot.filter});
     }
 }
@@ -39,8 +44,8 @@ Content::Pair certify_pair(const Bodies& bodies, ProxyPair pair, const std::opti
     return result;
 }
 
-// Returns an upper bound of the distance of two boxes that are within the clearance on each axis: it is at most sqrt(3)
-// times the clearance.
+// Returns an upper bound of the distance of two boxes whose gap on each axis is at most the clearance. Their distance
+// is at most sqrt(3) * clearance.
 double box_limit(const std::optional<double>& clearance) {
     constexpr double largest = std::numeric_limits<double>::max();
     if (!clearance) return 0;
@@ -55,7 +60,7 @@ WorldCertificate World::certify(const Ask& ask) const {
     Asking asking(ask);
     Content content;
     content.clearance = w.closeness.listed();
-    if (content.clearance && key_of(*content.clearance) == 0) content.clearance = 0;  // turns -0 into 0
+    if (content.clearance && key_of(*content.clearance) == 0) content.clearance = 0;  // turns -0 into +0
     add_bodies(content, w.bodies);
     for (const ProxyPair pair : w.bodies.disabled().list()) content.off.push_back(w.bodies.ids_of(pair));
     std::vector<ProxyPair> pairs;

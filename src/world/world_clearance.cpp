@@ -7,7 +7,7 @@ void World::set_clearance(std::optional<double> clearance) {
     Impl& w = impl();
     if (clearance) {
         require_finite_distance(*clearance);
-        if (key_of(*clearance) == 0) clearance = 0;  // turns -0 into 0; by key, as == may take subnormal numbers for 0
+        if (key_of(*clearance) == 0) clearance = 0;  // turns -0 into +0; == could take a subnormal number for 0
         w.require_answers(Question::within);
     }
     if (is_same_clearance(clearance, w.closeness.wanted())) return;

@@ -16,11 +16,11 @@
 
 namespace ecods {
 
-// The pairs are asked about in the order in which the trees find them, so that neighbours in this order share bodies.
+// Asks about pairs in the order in which the trees find them: neighbours in this order often share a body.
 
 namespace {
 
-// Prefetches the data from which the next bodies' SolidInMemory are made.
+// Prefetches data of the bodies that follow `proxy`, from which their SolidInMemory objects will be made.
 void prefetch_after(const Bodies& bodies, ProxyIndex proxy) noexcept {
     constexpr ProxyIndex solids_ahead = 16, parts_ahead = 8;
     if (bodies.end() - proxy > solids_ahead)
@@ -53,8 +53,7 @@ auto World::Impl::near_convex_pairs(double limit) const -> NearConvexPairs {
     return near;
 }
 
-// Prefetches the solids of a pair that comes later: of a thousand solids that move, none is in a fast cache when its
-// pair comes.
+// Prefetches the solids of the pair two places ahead, because a thousand moving solids do not fit into a fast cache.
 template <class Answer, class Function>
 std::vector<Answer> World::Impl::ask_convex_pairs(double limit, const Ask& ask, const Function& find) const {
     using Body = Posed<ConvexSolid>;

@@ -19,7 +19,7 @@ BodyId World::create_body(const BodyOptions& options) {
     std::shared_ptr<const Shape> shape = options.mesh ? w.mesh_shapes.shape_of(options.mesh) : options.shape;
     require_usable(shape);
     require_valid(options.pose);
-    w.require_tests_for(shape->kind(), nullptr, w.closeness.question());
+    w.require_update_tests_for(shape->kind(), nullptr);
     const Aabb box = box_for(*shape, options.pose);
     const std::uint64_t number = w.traced_number(shape);
 

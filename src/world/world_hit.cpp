@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "query/body/starts_inside.hpp"
 #include "query/hit/hit_search.hpp"
 #include "query/intersection/asking.hpp"
 #include "world/world_impl.hpp"
@@ -9,58 +10,84 @@
 namespace ecods {
 namespace {
 
-const MeshShape* mesh_of(const Slot& slot) noexcept {
-    return slot.kind == ShapeKind::mesh() ? static_cast<const MeshShape*>(slot.shape.get()) : nullptr;
-}
-
 void require_hits(const Bodies& bodies) {
     if (const auto kind = bodies.kind_without_hits()) throw NotSupported(Question::hits, *kind, *kind);
 }
 
-// Uses proxies as keys: they have the order of the ids.
+// The bodies of a world, as targets of lines.
+struct Targets {
+    const Bodies& bodies;
+    const OverlapTracker& boxes;
+    PosedBody::Meaning meaning;
+
+    // Nothing for a shape of the caller's own.
+    std::optional<PosedBody> mesh_at(ProxyIndex proxy) const {
+        const Slot& slot = bodies[proxy];
+        if (slot.kind != ShapeKind::mesh()) return std::nullopt;
+        return PosedBody({static_cast<const MeshShape&>(*slot.shape), slot.pose}, meaning);
+    }
+
+    // Names the body of a hit, and the triangle of its mesh.
+    BodyHit named(KeyedHit found) const {
+        const auto proxy = static_cast<ProxyIndex>(found.key);
+        if (const auto body = mesh_at(proxy)) body->rename(found.hit.feature);
+        return {bodies.id_of(proxy), found.hit};
+    }
+};
+
+// `world` is a World::Impl.
+template <class Impl>
+Targets targets_of(const Impl& world) {
+    const bool are_surfaces = world.are_solids_surfaces;
+    return {world.bodies, world.broad_phase, are_surfaces ? PosedBody::Meaning::surface : PosedBody::Meaning::set};
+}
+
+// Names candidates by proxies, which have the same order as the ids.
 template <class SegmentOrRay>
-std::optional<BodyHit> find_first(const SegmentOrRay& asked, const Bodies& bodies, const OverlapTracker& boxes,
-                                  QueryMemory& memory, const std::optional<CollisionFilter>& filter) {
+std::optional<BodyHit> find_first(const SegmentOrRay& asked, const Targets& targets, QueryMemory& memory,
+                                  const std::optional<CollisionFilter>& filter) {
     validate(asked);
-    require_hits(bodies);
+    require_hits(targets.bodies);
     const Line line(asked);
     FirstHit first(line, memory);
-    boxes.visit_along(asked, [&](ProxyIndex proxy) {
-        const Slot& slot = bodies[proxy];
+    targets.boxes.visit_along(asked, [&](ProxyIndex proxy) {
+        const Slot& slot = targets.bodies[proxy];
         if (filter && !may_meet(*filter, slot.filter)) return first.limit();
-        if (const MeshShape* mesh = mesh_of(slot)) {
-            first.ask({*mesh, slot.pose}, proxy);
+        if (const auto body = targets.mesh_at(proxy)) {
+            if (is_inside(begin_of(asked), *body, memory)) {
+                first.offer(hit_inside(begin_of(asked)), proxy);
+            } else {
+                first.ask(body->boundary(), proxy);
+            }
         } else if (const auto hit = slot.shape->first_hit(asked, slot.pose, memory)) {
             first.offer(*hit, proxy);
         }
         return first.limit();
     });
     if (!first.found()) return std::nullopt;
-    const KeyedHit least = first.get();
-    return BodyHit{bodies.id_of(static_cast<ProxyIndex>(least.key)), least.hit};
+    return targets.named(first.get());
 }
 
 template <class SegmentOrRay>
-std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Bodies& bodies, const OverlapTracker& boxes,
-                              QueryMemory& memory, const std::optional<CollisionFilter>& filter) {
+std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Targets& targets, QueryMemory& memory,
+                              const std::optional<CollisionFilter>& filter) {
     validate(asked);
-    require_hits(bodies);
+    require_hits(targets.bodies);
     const Line line(asked);
     AllHits all(line, memory);
-    boxes.visit_along(asked, [&](ProxyIndex proxy) {
-        const Slot& slot = bodies[proxy];
+    targets.boxes.visit_along(asked, [&](ProxyIndex proxy) {
+        const Slot& slot = targets.bodies[proxy];
         if (filter && !may_meet(*filter, slot.filter)) return std::numeric_limits<double>::infinity();
-        if (const MeshShape* mesh = mesh_of(slot)) {
-            all.ask({*mesh, slot.pose}, proxy);
+        if (const auto body = targets.mesh_at(proxy)) {
+            if (is_inside(begin_of(asked), *body, memory)) all.offer(hit_inside(begin_of(asked)), proxy);
+            all.ask(body->boundary(), proxy);
         } else {
             for (const Hit& hit : slot.shape->all_hits(asked, slot.pose, memory)) all.offer(hit, proxy);
         }
         return std::numeric_limits<double>::infinity();
     });
     std::vector<BodyHit> result;
-    for (const KeyedHit& each : all.get()) {
-        result.push_back({bodies.id_of(static_cast<ProxyIndex>(each.key)), each.hit});
-    }
+    for (const KeyedHit& each : all.get()) result.push_back(targets.named(each));
     return result;
 }
 
@@ -69,26 +96,26 @@ std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Bodies& bodies, c
 std::optional<BodyHit> World::first_hit(const Segment& segment, std::optional<CollisionFilter> filter,
                                         const Ask& ask) const {
     const Impl& w = impl();
-    auto found = find_first(segment, w.bodies, w.broad_phase, Asking(ask).memory(), filter);
+    auto found = find_first(segment, targets_of(w), Asking(ask).memory(), filter);
     return w.traced<calls::FirstHit>(ask, std::move(found), segment, filter);
 }
 
 std::optional<BodyHit> World::first_hit(const Ray& ray, std::optional<CollisionFilter> filter, const Ask& ask) const {
     const Impl& w = impl();
-    auto found = find_first(ray, w.bodies, w.broad_phase, Asking(ask).memory(), filter);
+    auto found = find_first(ray, targets_of(w), Asking(ask).memory(), filter);
     return w.traced<calls::FirstHitOfRay>(ask, std::move(found), ray, filter);
 }
 
 std::vector<BodyHit> World::all_hits(const Segment& segment, std::optional<CollisionFilter> filter,
                                      const Ask& ask) const {
     const Impl& w = impl();
-    auto found = find_all(segment, w.bodies, w.broad_phase, Asking(ask).memory(), filter);
+    auto found = find_all(segment, targets_of(w), Asking(ask).memory(), filter);
     return w.traced<calls::AllHits>(ask, std::move(found), segment, filter);
 }
 
 std::vector<BodyHit> World::all_hits(const Ray& ray, std::optional<CollisionFilter> filter, const Ask& ask) const {
     const Impl& w = impl();
-    auto found = find_all(ray, w.bodies, w.broad_phase, Asking(ask).memory(), filter);
+    auto found = find_all(ray, targets_of(w), Asking(ask).memory(), filter);
     return w.traced<calls::AllHitsOfRay>(ask, std::move(found), ray, filter);
 }
 

@@ -1,6 +1,7 @@
 // World::Impl holds the parts of a World.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -19,8 +20,8 @@
 #include "world/changes.hpp"
 #include "world/closeness.hpp"
 #include "world/mesh_shapes.hpp"
+#include "world/pair_relations.hpp"
 #include "world/pair_verdicts.hpp"
-#include "world/solid_pairs.hpp"
 #include "world/subject.hpp"
 #include "world/two_body_tests.hpp"
 #include "world/workers.hpp"
@@ -30,25 +31,33 @@ namespace ecods {
 struct World::Impl {
     explicit Impl(const WorldOptions& options);
 
-    // Throws NotSupported unless there is a test for `kind` and the kind of each body, and it answers the question if
-    // one is given. Does not count one body with the shape `replaced`, if that is not null.
+    // Throws NotSupported unless there is a test of `kind` with the kind of each body; if `question` is given, each
+    // such test must answer it. If `replaced` is not null, one body with the shape `replaced` is left out.
     void require_tests_for(ShapeKind kind, const Shape* replaced, std::optional<Question> question = {}) const;
 
-    // Throw NotSupported unless the tests answer the question: for every two bodies of the world, or for these two
-    // kinds.
+    // The questions that updates ask of every test, beside `intersects`. The next function throws NotSupported unless
+    // the tests of `kind` answer all of them.
+    std::array<std::optional<Question>, 2> update_questions() const noexcept {
+        return {closeness.question(), relations.question()};
+    }
+    void require_update_tests_for(ShapeKind kind, const Shape* replaced) const;
+
+    // Throw NotSupported unless the tests answer the question: the first for every two bodies of the world, the second
+    // for these two kinds.
     void require_answers(Question question) const;
     void require_answer(ShapeKind a, ShapeKind b, Question question) const;
 
     // ---- subjects of questions
     Subject subject_of(const Asked& asked) const;  // throws StaleBody, InvalidArgument, NotSupported
-    // True if a question about the subject skips this body: it is the subject itself, or the two are filtered out.
+    // True if a question about the subject skips the body `other`: it is the subject, or their filters exclude the
+    // pair.
     bool passes_over(const Subject& subject, ProxyIndex other) const;
     Aabb box_of(const Subject& subject) const;
     void require_tests_for(const Subject& subject, std::optional<Question> question = {}) const;
 
-    // PairOrder says in which order a test gets two bodies. With lesser_id_first, the body of the lesser id comes
-    // first, so that ties are broken alike in both orders of the arguments. pair_of() throws SameBody, NotSupported,
-    // and what subject_of() throws.
+    // PairOrder says in which order a test gets the two subjects. With lesser_id_first, the body with the lesser id
+    // comes first, so that both orders of the arguments break ties alike. pair_of() throws SameBody, NotSupported, and
+    // the errors of subject_of().
     enum class PairOrder { as_given, lesser_id_first };
     SubjectPair pair_of(const Asked& a, const Asked& b, PairOrder order = PairOrder::as_given) const;
 
@@ -58,17 +67,17 @@ struct World::Impl {
     auto ask(ProxyPair pair, Question question, Arguments&&... arguments) const {
         return test_of(pair).ask(bodies[pair.a].posed(), bodies[pair.b].posed(), question, arguments...);
     }
-    Relation relate(ProxyPair pair, QueryMemory& memory) const;  // of two solids; throws NotSupported
+    Relation relate(ProxyPair pair, QueryMemory& memory) const;  // throws NotSupported
 
-    // NearConvexPairs has the pairs of convex solids whose boxes are not proven to be further apart than the limit,
-    // without those that are filtered out, in no promised order. near_convex_pairs() throws SingularPose.
+    // Holds pairs of convex solids, in no promised order: all pairs that are not filtered out and whose boxes may be
+    // within `limit` of each other. near_convex_pairs() throws SingularPose.
     struct NearConvexPairs {
         ProxyPairs pairs;
         std::vector<convex::SolidInMemory> solids;  // by proxy
     };
     NearConvexPairs near_convex_pairs(double limit) const;
-    // Asks about each near pair, even if one throws. `find(a, b, memory)` returns the second member of the Answer, or
-    // nothing. Returns the answers, ascending by pair.
+    // Calls find(a, b, memory) for each pair of near_convex_pairs(limit), even if a call throws. `find` returns the
+    // second member of the pair's Answer, or nullopt for no answer. Returns the answers, ascending by pair.
     template <class Answer, class Function>
     std::vector<Answer> ask_convex_pairs(double limit, const Ask& ask, const Function& find) const;
 
@@ -76,25 +85,25 @@ struct World::Impl {
     void update();
     void test_pairs();
     void test_close_pairs();
-    void relate_solids();
+    void relate_pairs();
     template <class Question, class... Arguments>
     void answer_tests(PairVerdicts& pairs, Question question, const Arguments&... arguments);
     void commit() noexcept;
 
     std::uint64_t digest() const;
-    void validate_solids(QueryMemory& memory) const;  // throws BrokenInvariant
+    void validate_relations(QueryMemory& memory) const;  // throws BrokenInvariant
 
-    // Writes a body into the trace, as the call that makes it.
+    // Writes the call that creates the body into the trace. Call only if there is a trace.
     void trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept;
 
-    // Returns the number of a shape in the trace, or 0 without a trace. Writes the shape if it is new there, so this
-    // comes before the call that brings it in.
+    // Returns the number of a shape in the trace, or 0 if there is no trace. Writes the shape into the trace if it is
+    // new there, so this function must be called before the call that uses the number is written.
     std::uint64_t traced_number(const std::shared_ptr<const Shape>& shape) {
         return trace ? trace->number_of(shape) : 0;
     }
 
-    // Returns the answer. Also writes the question and a digest of the answer, if the trace has questions and the
-    // caller gave no memory. Questions of several threads are written one by one.
+    // Returns `answer`. If the trace records questions and the caller gave no memory, first writes the question and a
+    // digest of the answer into the trace. A mutex lets questions of several threads be written one by one.
     template <template <class> class Row, class Answer, class... Arguments>
     Answer traced(const Ask& ask, Answer answer, const Arguments&... arguments) const noexcept {
         if (trace && trace->writes_questions() && ask.memory == nullptr) {
@@ -105,6 +114,7 @@ struct World::Impl {
         return answer;
     }
 
+    bool are_solids_surfaces = false;  // true for traces of version 1 (WorldAccess)
     Bodies bodies;
     Changes changes;
     MeshShapes mesh_shapes;
@@ -112,28 +122,29 @@ struct World::Impl {
     OverlapTracker broad_phase;
     PairVerdicts collisions;
     Closeness closeness;
-    SolidPairs solids;
+    PairRelations relations;
     Workers workers;
-    std::unique_ptr<TraceWriter> trace;  // null: no trace is under way
-    mutable std::mutex trace_mutex;      // for questions, which may run beside each other
-    Statistics statistics;               // sums alone; World::statistics() fills in the rest
+    std::unique_ptr<TraceWriter> trace;  // null if no trace is being written
+    mutable std::mutex trace_mutex;      // for questions, which several threads may ask at once
+    Statistics statistics;               // running totals only; World::statistics() fills in the other members
 };
 
-// Returns the shape's box. Throws InvalidArgument unless min <= max on each axis, as the broad phase requires.
+// Returns the box of the shape at the pose. Throws InvalidArgument unless min <= max on each axis, which the broad
+// phase requires.
 Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, const ListIndex& index = {});
 [[noreturn]] void refuse_invalid(const Pose& pose, BodyId body, const ListIndex& index);
 inline void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& index = {}) {
     if (!is_finite(pose)) [[unlikely]]
         refuse_invalid(pose, body, index);
 }
-// Returns the points with the two bodies exchanged.
+// Returns the closest points with the two bodies exchanged.
 inline ClosestPoints turned(ClosestPoints points) noexcept {
     std::swap(points.a, points.b);
     std::swap(points.point_a, points.point_b);
     return points;
 }
-void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument for null, and as below
-void require_mesh_kind(const Shape& shape);                      // NotSupported if of kind mesh() but no MeshShape
+void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument for null; NotSupported
+void require_mesh_kind(const Shape& shape);  // throws NotSupported if kind() is mesh() but it is no MeshShape
 void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // throws NotSupported
 
 }  // namespace ecods

@@ -14,8 +14,8 @@
 namespace ecods {
 namespace {
 
-// Returns a box that contains the way of a body from one box to another: points move on straight lines, so each
-// coordinate of a point is always between its values at the two ends.
+// Returns a box that contains every point of a body while it moves between two poses with these boxes. Each point moves
+// on a straight line, so each of its coordinates stays between its values at the two ends.
 Aabb box_of_way(const Aabb& from, const Aabb& to) {
     Aabb box = from;
     for (int axis = 0; axis < 3; ++axis) {
@@ -25,10 +25,10 @@ Aabb box_of_way(const Aabb& from, const Aabb& to) {
     return box;
 }
 
-// Holds the new poses of bodies, and the boxes of their ways.
+// Stores the bodies that move or changed, each with its new pose and a box that contains its whole motion.
 class Ways {
   public:
-    // Sets the body's new pose, in place of one that was set before.
+    // Sets the new pose of the body, and the box `way` of its motion; replaces earlier values of the same body.
     void set(ProxyIndex proxy, const Pose& to, const Aabb& way) {
         const auto [at, is_new] = places_.try_emplace(proxy, bodies_.size());
         if (is_new) {
@@ -68,7 +68,7 @@ std::optional<FirstContact> meet(const OrderedTest& test, const Moving<Shape>& a
 }
 
 // Appends the pairs that may collide although neither body is in `ways`: pairs that collided at the last update, and
-// pairs that were switched on or off since. A pair may be appended twice.
+// pairs that were switched on or off since then. May append a pair twice.
 void append_known(const PairVerdicts& collisions, const Changes& changes, const Bodies& bodies, const Ways& ways,
                   ProxyPairs& pairs) {
     const auto append = [&](const ProxyPair& pair) {
@@ -84,8 +84,8 @@ void append_known(const PairVerdicts& collisions, const Changes& changes, const 
 
 }  // namespace
 
-// Searches for all pairs of which a body is listed, or changed since the last update. For all other pairs it is known
-// whether they collide.
+// Searches for the pairs in which a body is listed in `bodies` or has changed since the last update. For every other
+// pair, the last update has found whether the two collide.
 std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
                                      const Ask& ask) const {
     const Impl& w = impl();

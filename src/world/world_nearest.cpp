@@ -16,8 +16,8 @@ Least<Name> least_within(double limit) {
     return Least<Name>(limit);
 }
 
-// Asks whether a candidate is within the distance at which it could win; only if it is, asks for its distance. Returns
-// the limit for later candidates.
+// Offers a candidate to `least`. Calls distance() only if within(limit) says that the candidate is near enough to win.
+// Returns the upper bound of the distances with which later candidates can win.
 template <class Name, class Within, class Distance>
 double take(Least<Name>& least, Name name, const Within& within, const Distance& distance) {
     const auto reach = least.reach(name);

@@ -3,6 +3,7 @@
 
 #include "base/hash.hpp"
 #include "query/intersection/asking.hpp"
+#include "query/solid/relations.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -38,10 +39,12 @@ bool World::intersects(const Asked& a, const Asked& b, const Ask& ask) const {
 }
 
 Relation World::relation(const Asked& a, const Asked& b, const Ask& ask) const {
-    return impl().pair_of(a, b).ask(&TwoBodyTest::relation, Ask(Asking(ask).memory()));
+    const SubjectPair pair = impl().pair_of(a, b);
+    const Relation found = pair.ask(&TwoBodyTest::relation, Ask(Asking(ask).memory()));
+    return pair.test.swapped ? mirrored(found) : found;
 }
 
-// Exchanges the triangles of each pair if the test has the shapes in the other order.
+// Exchanges the two triangles of each pair in the result if the test takes the shapes in the other order.
 std::vector<TrianglePair> World::intersecting_triangles(const Asked& a, const Asked& b, const Ask& ask) const {
     const SubjectPair pair = impl().pair_of(a, b);
     auto triangles = pair.ask(&TwoBodyTest::intersecting_triangles, Ask(Asking(ask).memory()));
@@ -73,13 +76,13 @@ Statistics World::statistics() const {
     statistics.filtered_count = w.collisions.verdicts().size() - statistics.overlapping_count;
     statistics.colliding_count = w.collisions.positive().size();
     statistics.memory_bytes = w.bodies.memory_bytes() + w.changes.memory_bytes() + w.collisions.memory_bytes() +
-                              w.closeness.memory_bytes() + w.solids.memory_bytes();
+                              w.closeness.memory_bytes() + w.relations.memory_bytes();
     return statistics;
 }
 
 namespace {
 
-// Sums the digests of the pairs of living bodies.
+// Sums the digests of those pairs whose bodies are both alive.
 std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
     std::uint64_t sum = 0;
     for (const BodyPair& pair : pairs) {
@@ -91,36 +94,38 @@ std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
     return sum;
 }
 
-// Returns the number that traces of all versions have for a relation of solids: `crossing`, which only surfaces have,
-// is left out of the count.
+// Returns the number of a relation in digests of version 1, which had no number for `crossing`.
 std::uint64_t number_of(Relation relation) noexcept {
     return static_cast<std::uint64_t>(relation) - (relation > Relation::crossing ? 1 : 0);
 }
 
-// Sums the digests of the pairs of living solids. Each pair is turned so that the lesser digest of a body comes first.
-std::uint64_t sum_of_solids(std::span<const SolidPair> pairs, const Bodies& bodies) {
+// Sums the digests of those pairs whose bodies are both alive. The body with the lesser digest is taken as the first of
+// its pair, so the sum does not depend on ids.
+std::uint64_t sum_of_relations(const PairRelations& relations, const Bodies& bodies) {
     std::uint64_t sum = 0;
-    for (const SolidPair& pair : pairs) {
+    for (const PairRelation& pair : relations.list()) {
         if (!bodies.is_alive(pair.bodies.a) || !bodies.is_alive(pair.bodies.b)) continue;
         const std::uint64_t a = digest_of(bodies[pair.bodies.a.slot - 1]);
         const std::uint64_t b = digest_of(bodies[pair.bodies.b.slot - 1]);
         const Relation relation = a <= b ? pair.relation : mirrored(pair.relation);
         const auto [low, high] = std::minmax(a, b);
-        sum += mix(combine(combine(low, high), number_of(relation)));
+        sum += mix(combine(combine(low, high),
+                           relations.is_of_solids() ? number_of(relation) : static_cast<std::uint64_t>(relation)));
     }
     return sum;
 }
 
 }  // namespace
 
-// Adds up words that are already mixed, so that the order of bodies and pairs does not matter.
+// Returns a digest of the bodies and of the listed pairs. It adds up words that are already mixed, so the order of
+// bodies and pairs does not matter.
 std::uint64_t World::Impl::digest() const {
     std::uint64_t sum_of_bodies = 0;
     for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
         if (bodies[proxy].is_alive()) sum_of_bodies += mix(digest_of(bodies[proxy]));
     }
     std::uint64_t digest = combine(sum_of_bodies, sum_of_pairs(collisions.positive(), bodies));
-    if (solids.are_listed()) digest = combine(digest, sum_of_solids(solids.list(), bodies));
+    if (relations.are_listed()) digest = combine(digest, sum_of_relations(relations, bodies));
     if (!closeness.listed()) return digest;
     return combine(digest,
                    combine(coordinate_bits(*closeness.listed()), sum_of_pairs(closeness.pairs().positive(), bodies)));

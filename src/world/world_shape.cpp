@@ -16,7 +16,7 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
     require_usable(shape);
     const Slot& slot = w.bodies[proxy];
     if (slot.shape == shape) return;
-    w.require_tests_for(shape->kind(), slot.shape.get(), w.closeness.question());
+    w.require_update_tests_for(shape->kind(), slot.shape.get());
     const Aabb box = box_for(*shape, slot.pose, body);
     const std::uint64_t number = w.traced_number(shape);
     w.changes.make_room_for(1);
@@ -31,7 +31,11 @@ void World::set_shape(BodyId body, std::shared_ptr<const Shape> shape) {
 void World::set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test) {
     Impl& w = impl();
     if (!test) throw null_argument("test");
-    if (w.closeness.question() && w.bodies.has_pair_of(a, b)) require_answer(*test, *w.closeness.question(), a, b);
+    if (w.bodies.has_pair_of(a, b)) {
+        for (const auto question : w.update_questions()) {
+            if (question) require_answer(*test, *question, a, b);
+        }
+    }
     w.changes.make_room_for_all();
     w.tests.set(a, b, std::move(test));
     for (ProxyIndex proxy = 0; proxy < w.bodies.end(); ++proxy) {

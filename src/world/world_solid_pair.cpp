@@ -10,7 +10,7 @@
 namespace ecods {
 namespace {
 
-// Returns the subject as a solid S. Throws NotSupported if it is none.
+// Returns the subject as a solid of class S. Throws NotSupported if its shape is not of this class.
 template <class S>
 Posed<S> as(const Subject& subject, const char* form) {
     const S* const solid = dynamic_cast<const S*>(subject.posed.what);
@@ -22,7 +22,8 @@ Posed<S> as(const Subject& subject, const char* form) {
     return {*solid, subject.posed.pose};
 }
 
-// Asks about the two as solids S. SingularPose then names the body, and numbers the argument in the caller's order.
+// Calls ask(a, b) with the two subjects as solids of class S. A SingularPose that it throws is changed: it then names
+// the body, and counts the arguments in the caller's order.
 template <class S, class Function>
 auto ask_of(const Bodies& bodies, const SubjectPair& pair, const char* form, const Function& ask) {
     const Posed<S> a = as<S>(pair.a, form), b = as<S>(pair.b, form);
@@ -37,7 +38,8 @@ auto ask_of(const Bodies& bodies, const SubjectPair& pair, const char* form, con
 
 constexpr const char* convex_form = "convex solid";
 
-// Returns the negative of the vector, with zeros as +0. Compares by bits, as subnormal numbers may be taken for zero.
+// Returns the negative of the vector, but with every zero as +0. Tests for zero by bits, because == may take a
+// subnormal number for zero.
 Vec3 opposite(const Vec3& direction) {
     Vec3 result;
     for (int axis = 0; axis < 3; ++axis) result[axis] = key_of(direction[axis]) == 0 ? 0.0 : -direction[axis];
@@ -45,30 +47,6 @@ Vec3 opposite(const Vec3& direction) {
 }
 
 }  // namespace
-
-Relation World::solid_relation(const Asked& a, const Asked& b, const Ask& ask) const {
-    const Impl& w = impl();
-    return ask_of<Solid>(w.bodies, w.pair_of(a, b), "solid", [&](const auto& first, const auto& second) {
-        return ecods::solid_relation(first, second, ask);
-    });
-}
-
-double World::solid_distance(const Asked& a, const Asked& b, const Ask& ask) const {
-    const Impl& w = impl();
-    return ask_of<ConvexSolid>(w.bodies, w.pair_of(a, b), convex_form, [&](const auto& first, const auto& second) {
-        return ecods::solid_distance(first, second, ask);
-    });
-}
-
-std::optional<ClosestPoints> World::solid_closest(const Asked& a, const Asked& b, const Ask& ask) const {
-    const Impl& w = impl();
-    const SubjectPair pair = w.pair_of(a, b, Impl::PairOrder::lesser_id_first);
-    auto points = ask_of<ConvexSolid>(w.bodies, pair, convex_form, [&](const auto& first, const auto& second) {
-        return ecods::solid_closest(first, second, ask);
-    });
-    if (points && pair.is_turned) points = turned(*points);
-    return points;
-}
 
 std::optional<Depth> World::depth(const Asked& a, const Asked& b, const Ask& ask) const {
     const Impl& w = impl();

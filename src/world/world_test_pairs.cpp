@@ -6,15 +6,16 @@
 
 namespace ecods {
 
-// Runs all tests, even if one throws; then throws the error of the first such pair. A test depends on its pair alone,
-// and one worker alone has the verdict, answer and witness of a pair; so an answer does not depend on which worker runs
-// it or when.
+// Runs all tests, even if one throws; then throws the error of the least pair that threw. The answers do not depend on
+// which worker runs a test or when: a test depends on its pair alone, and only one worker accesses the verdict, answer
+// and witness of this pair.
 template <class Question, class... Arguments>
 void World::Impl::answer_tests(PairVerdicts& pairs, Question question, const Arguments&... arguments) {
     FirstFailure failure;
     const std::span<const VerdictIndex> pair_tests = pairs.tests();
     workers.run(pair_tests.size(), [&](std::size_t at, QueryMemory& memory) {
-        // Prefetches the bodies of a later pair, which lie anywhere in memory.
+        // Prefetches the bodies of the pair two places ahead, because bodies of successive pairs lie anywhere in
+        // memory.
         constexpr std::size_t ahead = 2;
         if (at + ahead < pair_tests.size()) bodies.prefetch(pairs.verdicts()[pair_tests[at + ahead]].proxies());
         const VerdictIndex index = pair_tests[at];

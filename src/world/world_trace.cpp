@@ -6,7 +6,8 @@ namespace ecods {
 
 namespace {
 
-// Writes the call that makes a body. (Traces from before `create_with` have two or three calls.)
+// Writes the call that creates a body with its pose, filter and user data. (Older traces, from before the call
+// `create_with`, have two or three calls instead.)
 void trace_body(TraceWriter& trace, BodyId body, const Slot& slot, std::uint64_t shape_number) noexcept {
     if (slot.filter == CollisionFilter() && slot.user_data == 0) {
         trace.write<calls::Create>(body, shape_number, slot.pose);
@@ -21,7 +22,7 @@ void World::Impl::trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexc
     ecods::trace_body(*trace, bodies.id_of(proxy), bodies[proxy], shape_number);
 }
 
-// Writes the bodies and settings of the world as the calls that make them.
+// Begins the trace with calls that create the current bodies and settings of the world.
 void World::trace_to(std::ostream& out, TraceOptions options) {
     Impl& w = impl();
     w.trace.reset();
@@ -35,7 +36,7 @@ void World::trace_to(std::ostream& out, TraceOptions options) {
     for (const ProxyPair pair : w.bodies.disabled().list()) {
         trace->write<calls::SetPairEnabled>(w.bodies.id_of(pair.a), w.bodies.id_of(pair.b), false);
     }
-    if (w.solids.are_wanted()) trace->write<calls::SetSolids>(true);
+    if (w.relations.are_wanted()) trace->write<calls::SetRelations>(true);
     if (w.closeness.wanted()) trace->write<calls::SetClearance>(w.closeness.wanted());
     w.trace = std::move(trace);
 }

@@ -15,9 +15,9 @@ void World::update() {
     w.trace->end_update(w.digest(), w.collisions.positive().size());
 }
 
-// Everything that can fail comes before commit(): for collisions, for close pairs and for solids.
+// Does everything that can fail before commit(): for collisions, for close pairs and for relations.
 void World::Impl::update() {
-    if (changes.empty() && closeness.is_up_to_date() && solids.is_up_to_date()) {
+    if (changes.empty() && closeness.is_up_to_date() && relations.is_up_to_date()) {
         collisions.clear_events();
         closeness.idle();
         statistics.cache_hits += collisions.verdicts().enabled_count();
@@ -27,11 +27,11 @@ void World::Impl::update() {
         test_pairs();
         closeness.follow(broad_phase, bodies, changes, collisions);
         test_close_pairs();
-        solids.follow(bodies, collisions);
-        relate_solids();
+        relations.follow(bodies, collisions);
+        relate_pairs();
         collisions.prepare();
         closeness.prepare();
-        solids.prepare(changes);
+        relations.prepare(changes);
         commit();
     }
     ++statistics.updates;
@@ -40,7 +40,7 @@ void World::Impl::update() {
 void World::Impl::commit() noexcept {
     const std::size_t test_count = collisions.commit();
     closeness.commit();
-    solids.commit();
+    relations.commit();
     for (const ProxyIndex proxy : changes.bodies()) {
         statistics.moved_bodies += bodies[proxy].is_alive() && changes.of(proxy) == Change::body;
     }

@@ -16,8 +16,8 @@ void require(bool holds, const std::string& what) {
     if (!holds) throw BrokenInvariant(what);
 }
 
-// Finds the pairs of living bodies whose boxes overlap without the broad phase: sorts the boxes along one axis and
-// sweeps.
+// Returns all pairs of living bodies whose boxes overlap. Does not use the broad phase: sorts the boxes along one axis
+// and sweeps.
 std::vector<ProxyPair> pairs_of_boxes(const Bodies& bodies, const OverlapTracker& boxes) {
     struct Box {
         KeyBox keys;
@@ -39,8 +39,8 @@ std::vector<ProxyPair> pairs_of_boxes(const Bodies& bodies, const OverlapTracker
     return pairs;
 }
 
-// Throws ShapeChanged if a caller's shape answers other than when its body got it. Skips meshes: they cannot change,
-// and their boxes depend on the rounding mode.
+// Throws ShapeChanged if a caller's shape no longer answers as it did when the body got it. Meshes are skipped: they
+// cannot change, and their boxes depend on the rounding mode.
 void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
     if (slot.kind == ShapeKind::mesh()) return;
     if (slot.shape->kind() != slot.kind) throw ShapeChanged(body, slot.kind, "kind");
@@ -48,7 +48,7 @@ void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
     if (!(slot.shape->box(slot.pose) == box)) throw ShapeChanged(body, slot.kind, "box");
 }
 
-// Throws unless each pair of boxes that overlap has a verdict, and a fresh test gives the same answer.
+// Throws unless exactly the pairs of boxes that overlap have a verdict, and a fresh test of each gives the same answer.
 template <class Test>
 void validate_verdicts(const VerdictCache& verdicts, const OverlapTracker& boxes, const Bodies& all, Test test) {
     const std::vector<ProxyPair> pairs = pairs_of_boxes(all, boxes);
@@ -65,16 +65,16 @@ void validate_verdicts(const VerdictCache& verdicts, const OverlapTracker& boxes
 
 }  // namespace
 
-// Throws unless the list has exactly the pairs of solids that are not apart; relates them from scratch.
-void World::Impl::validate_solids(QueryMemory& memory) const {
-    std::vector<SolidPair> expected;
+// Relates all pairs from scratch. Throws unless the list has exactly the pairs that are not apart.
+void World::Impl::validate_relations(QueryMemory& memory) const {
+    std::vector<PairRelation> expected;
     for (const ProxyPair pair : pairs_of_boxes(bodies, broad_phase)) {
-        if (bodies[pair.a].solid() == nullptr || bodies[pair.b].solid() == nullptr || !bodies.is_enabled(pair))
-            continue;
+        const bool are_solids = bodies[pair.a].solid() != nullptr && bodies[pair.b].solid() != nullptr;
+        if (!bodies.is_enabled(pair) || (relations.is_of_solids() && !are_solids)) continue;
         const Relation relation = relate(pair, memory);
         if (relation != Relation::apart) expected.push_back({bodies.ids_of(pair), relation});
     }
-    require(expected == solids.list(), "the list of pairs of solids is wrong");
+    require(expected == relations.list(), "the list of relations is wrong");
 }
 
 void World::check_invariants() const {
@@ -94,7 +94,7 @@ void World::check_invariants() const {
     validate_verdicts(w.collisions.verdicts(), w.broad_phase, w.bodies,
                       [&](ProxyPair pair) { return w.ask(pair, &TwoBodyTest::intersects, Ask(memory)); });
     w.closeness.validate(w.bodies, w.broad_phase);
-    if (w.solids.are_listed()) w.validate_solids(memory);
+    if (w.relations.are_listed()) w.validate_relations(memory);
     if (!w.closeness.listed()) return;
     validate_verdicts(w.closeness.pairs().verdicts(), w.closeness.tracker(), w.bodies, [&](ProxyPair pair) {
         return w.ask(pair, &TwoBodyTest::within, *w.closeness.listed(), Ask(memory));

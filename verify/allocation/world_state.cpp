@@ -50,13 +50,13 @@ WorldState state_of(World& world) {
                      .close = list(world.close_pairs()),
                      .close_began = list(world.close_began()),
                      .close_ended = list(world.close_ended()),
-                     .are_solids_related = world.are_solids_related(),
-                     .solids = {},
+                     .are_relations_listed = world.are_relations_listed(),
+                     .relations = {},
                      .digest = world.digest(),
                      .overlapping_count = world.statistics().overlapping_count,
                      .filtered_count = world.statistics().filtered_count};
-    for (const SolidPair& pair : world.solid_pairs()) {
-        state.solids.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, pair.relation});
+    for (const PairRelation& pair : world.relations()) {
+        state.relations.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, pair.relation});
     }
     for (const BodyId body : world.bodies()) {
         const Shape& shape = *world.shape(body);
@@ -89,7 +89,7 @@ std::string difference(const WorldState& expected, const WorldState& got) {
                                      {"overlapping", &WorldState::overlapping}}) {
         if (auto found = difference(name, expected.*list, got.*list); !found.empty()) return found;
     }
-    if (expected.solids != got.solids) return "the pairs of solids";
+    if (expected.relations != got.relations) return "the relations";
     return expected == got ? "" : "the clearance, the digest, or the counts of pairs";
 }
 

@@ -28,8 +28,8 @@ struct WorldState {
     std::vector<BodyPair> disabled, overlapping, colliding, began, ended;
     std::optional<double> clearance;
     std::vector<BodyPair> close, close_began, close_ended;
-    bool are_solids_related;
-    std::vector<SolidPair> solids;
+    bool are_relations_listed;
+    std::vector<PairRelation> relations;
     std::uint64_t digest;
     std::size_t overlapping_count, filtered_count;
 

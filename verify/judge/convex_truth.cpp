@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "ecods/distance.hpp"
 #include "ecods/error.hpp"
+#include "ecods/intersection.hpp"
 #include "judge/text.hpp"
 #include "oracle/solid.hpp"
 
@@ -76,9 +78,14 @@ std::optional<Wrong> ConvexTruth::ask_in_order(std::size_t order, const Ask& ask
     const std::string how = std::string(order == 0 ? "" : " of (b, a)") +
                             (ask.witness != nullptr ? ", with a witness" : "") +
                             (ask.memory == nullptr ? ", in the thread's memory" : "");
-    const double d = solid_distance(a, b, ask);
-    if (!same_bits(d, distance())) return Wrong{"solid_distance" + how, judge::text(distance()), judge::text(d)};
-    if (auto wrong = require("solid_closest", how, "nothing", expected.closest, solid_closest(a, b, ask))) return wrong;
+    const double d = ecods::distance(a, b, ask);
+    if (!same_bits(d, distance())) return Wrong{"distance" + how, judge::text(distance()), judge::text(d)};
+    std::optional<ClosestPoints> points = ecods::closest(a, b, ask);
+    if (points->kind >= ClosestKind::intersecting) points.reset();
+    if (auto wrong = require("closest", how, "a common point", expected.closest, points)) return wrong;
+    if (ecods::intersects(a, b, ask) == expected.closest.has_value()) {
+        return Wrong{"intersects" + how, judge::text(distance()), "the contrary"};
+    }
     return require("depth", how, "nothing", expected.depth, ecods::depth(a, b, ask));
 }
 

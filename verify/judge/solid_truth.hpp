@@ -20,6 +20,11 @@ Relation mirrored(Relation relation);
 
 std::string text(const Location& location);
 
+// Asks the questions whose answers a relation decides in part: those that say if the bodies share a point. Without and
+// with a witness.
+std::optional<Wrong> ask_of_common_points(const Posed<MeshShape>& a, const Posed<MeshShape>& b, Relation relation,
+                                          QueryMemory& memory);
+
 // What is true of two solids, and of points in both, known before the library is asked: it may be asked in any
 // floating-point environment. Beside the points that are given these are some corners of either solid and points of its
 // edges, as doubles have them.

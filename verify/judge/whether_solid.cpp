@@ -18,9 +18,12 @@ std::string text(const std::vector<TrianglePair>& pairs) {
 }  // namespace
 
 WhetherSolid::WhetherSolid(const Mesh& mesh)
-    : open_(oracle::open_edge(mesh)), pairs_(oracle::self_intersections(mesh)) {}
+    : is_empty_(oracle::bounds_nothing(mesh)),
+      open_(oracle::open_edge(mesh)),
+      pairs_(oracle::self_intersections(mesh)) {}
 
 std::string WhetherSolid::words() const {
+    if (is_empty_) return "nothing";
     if (open_) return fmt::format("open edge {}.{}", open_->triangle, open_->corner);
     return pairs_.empty() ? "a solid" : text({pairs_.front()});
 }
@@ -33,8 +36,16 @@ std::optional<Wrong> WhetherSolid::ask(const Mesh& mesh) const {
     try {
         check_solid(mesh);
     } catch (const NotSolid& error) {
-        const bool is_open = error.reason == NotSolid::Reason::open_edge;
-        found = is_open ? fmt::format("open edge {}.{}", error.triangle, error.corner) : text({error.triangles});
+        switch (error.reason) {
+            case NotSolid::Reason::no_interior:
+                found = "nothing";
+                break;
+            case NotSolid::Reason::open_edge:
+                found = fmt::format("open edge {}.{}", error.triangle, error.corner);
+                break;
+            default:
+                found = text({error.triangles});
+        }
     }
     if (found != expected) return Wrong{"check_solid", expected, found};
     return std::nullopt;

@@ -16,15 +16,16 @@ class WhetherSolid {
   public:
     explicit WhetherSolid(const Mesh& mesh);  // asks the oracle
 
-    bool is_solid() const { return !open_ && pairs_.empty(); }
+    bool is_solid() const { return !is_empty_ && !open_ && pairs_.empty(); }
 
-    // "a solid", "open edge TRIANGLE.CORNER", or the first pair of triangles that meet wrongly.
+    // "a solid", "nothing", "open edge TRIANGLE.CORNER", or the first pair of triangles that meet wrongly.
     std::string words() const;
 
     // Asks the library: check_solid and self_intersections.
     std::optional<Wrong> ask(const Mesh& mesh) const;
 
   private:
+    bool is_empty_;
     std::optional<oracle::CornerEdge> open_;
     std::vector<TrianglePair> pairs_;
 };

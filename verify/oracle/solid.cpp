@@ -1,6 +1,7 @@
 #include "oracle/solid.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "oracle/float_environment.hpp"
@@ -114,6 +115,46 @@ PointLocation locate(const Vec3& point, const Soup& solid) {
     if (const auto feature = feature_at(x, triangles[1])) return {PointSide::on, *feature};
     if (is_singular(solid.pose) || !is_in(x, triangles[1])) return {PointSide::outside, {}};
     return {PointSide::inside, {}};
+}
+
+bool has_piece_inside(const Soup& surface, const Soup& solid) {
+    const FloatEnvironment environment;
+    if (is_singular(solid.pose)) return false;
+    const std::array<SoupChoice, 2> soups{{{&surface, true}, {&solid, false}}};
+    const auto triangles = integer_triangles(soups);
+    const Triangles& of_solid = triangles[1];
+    if (of_solid.empty()) return false;
+    SolidPoint low = of_solid.front().low, high = of_solid.front().high;
+    for (const IntegerTriangle& t : of_solid) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            low[k] = std::min(low[k], t.low[k]);
+            high[k] = std::max(high[k], t.high[k]);
+        }
+    }
+    // Pieces are named by their least triangle: as often as it takes, triangles take the least name of their corners.
+    std::map<SolidPoint, std::size_t> names;
+    const Triangles& all = triangles[0];
+    for (bool is_changed = true; is_changed;) {
+        is_changed = false;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            std::size_t least = i;
+            for (const SolidPoint& corner : all[i].corners)
+                least = std::min(least, names.try_emplace(corner, i).first->second);
+            for (const SolidPoint& corner : all[i].corners) {
+                std::size_t& name = names[corner];
+                is_changed = is_changed || name != least;
+                name = least;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const SolidPoint& x = all[i].corners[0];
+        if (names[x] != i) continue;
+        bool is_in_box = true;
+        for (std::size_t k = 0; k < 3; ++k) is_in_box = is_in_box && low[k] <= x[k] && x[k] <= high[k];
+        if (is_in_box && (feature_at(x, of_solid) || is_in(x, of_solid))) return true;
+    }
+    return false;
 }
 
 Relation solid_relation(const Soup& a, const Soup& b) {

@@ -34,6 +34,9 @@ struct CornerEdge {
 // the mesh is closed.
 std::optional<CornerEdge> open_edge(const Mesh& mesh);
 
+// True if no triangle has a positive area: the mesh then bounds the empty set.
+bool bounds_nothing(const Mesh& mesh);
+
 // All pairs of triangles of positive area that share a segment or more which is not a side of both, ascending.
 std::vector<TrianglePair> self_intersections(const Mesh& mesh);
 
@@ -46,6 +49,10 @@ struct PointLocation {
 };
 
 PointLocation locate(const Vec3& point, const Soup& solid);
+// Whether a piece of the surface, of triangles that are joined over equal corners, begins in or on the solid: of
+// surfaces that share no point, whether a part of the first is inside the second. One corner of a piece is looked at.
+bool has_piece_inside(const Soup& surface, const Soup& solid);
+
 Relation solid_relation(const Soup& a, const Soup& b);
 Relation surface_relation(const Soup& surface, const Soup& solid);
 

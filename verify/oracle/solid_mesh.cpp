@@ -117,6 +117,11 @@ bool meet_wrongly(const IntegerTriangle& a, const IntegerTriangle& b) {
 
 }  // namespace
 
+bool bounds_nothing(const Mesh& mesh) {
+    const FloatEnvironment environment;
+    return own_triangles(mesh).empty();
+}
+
 std::optional<CornerEdge> open_edge(const Mesh& mesh) {
     const FloatEnvironment environment;
     struct Edge {

@@ -24,6 +24,12 @@ bool has_own_area(const std::array<Vec3, 3>& v) {
 
 }  // namespace
 
+bool has_area(const Mesh& mesh, std::uint32_t triangle) {
+    const auto& [a, b, c] = mesh.triangles()[triangle];
+    const auto vertices = mesh.vertices();
+    return has_own_area({vertices[a], vertices[b], vertices[c]});
+}
+
 mpz_class determinant(const SolidPoint& u, const SolidPoint& v, const SolidPoint& w) {
     return dot(u, cross(v, w));
 }

@@ -36,6 +36,9 @@ std::vector<std::vector<IntegerTriangle>> integer_triangles(std::span<const Soup
 // Whether the boxes share no point.
 bool boxes_are_apart(const IntegerTriangle& a, const IntegerTriangle& b);
 
+// Whether the corners of a triangle are not on one line.
+bool has_area(const Mesh& mesh, std::uint32_t triangle);
+
 // Whether the pose's matrix has no inverse.
 bool is_singular(const Pose& pose);
 

@@ -7,7 +7,7 @@
 #include "check_oracle.hpp"
 #include "ecods/error.hpp"
 #include "ecods/intersection.hpp"
-#include "ecods/solid.hpp"
+#include "ecods/shape.hpp"
 #include "scenes/io/hard_case_file.hpp"
 
 namespace ecods::check {
@@ -50,7 +50,7 @@ bool has_solid_relation(const HardCase& hard) {
         const Solid a(first.mesh), b(second.mesh);
         QueryMemory memory;
         std::ostringstream relation;
-        relation << solid_relation({a, first.pose}, {b, second.pose}, memory);
+        relation << ecods::relation({a, first.pose}, {b, second.pose}, memory);
         return relation.str() == expected;
     };
     const std::string& expected = *hard.solid_relation;

@@ -140,6 +140,31 @@ void add_certify(CLI::App& app, std::optional<std::filesystem::path>& folder) {
         ->type_name("FILE");
 }
 
+// Throws CLI::ValidationError for options that go not together.
+void require_sense(const Options& options) {
+    if (options.files.empty() == options.cases.empty()) {
+        throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
+    }
+    const SceneQuestions& asked = options.questions;
+    const bool has_questions = asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts ||
+                               asked.has_solids || asked.has_depths || !asked.rays.empty();
+    if (has_questions && !options.cases.empty()) {
+        throw CLI::ValidationError("ecods_check",
+                                   "--distance, --clearance, --moves, --casts, --solids, --depth and --ray are "
+                                   "for files, not for --cases");
+    }
+    if (!asked.may_have_solids()) return;
+    if (options.certificates) {
+        throw CLI::ValidationError("ecods_check", "--certify is about surfaces, not for --solids and --depth");
+    }
+    const bool is_more_asked = asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts;
+    if (options.oracle && (is_more_asked || !asked.rays.empty())) {
+        throw CLI::ValidationError("ecods_check",
+                                   "--oracle checks distances, clearances, moves, casts and rays of surfaces, not "
+                                   "with --solids or --depth");
+    }
+}
+
 int run(int argc, char** argv) {
     Options options;
     CLI::App app(
@@ -167,13 +192,14 @@ int run(int argc, char** argv) {
         "it meets first when it is translated by that, and at which time from 0 to 1");
     add_rays(app, options.questions.rays);
     app.add_flag("--solids", options.questions.has_solids,
-                 "Also say of each body whether its mesh bounds a solid, or why not, and list the pairs of solids that "
-                 "are not apart: touching, overlapping, inside, contains, equal. --oracle does not check these");
+                 "Take bodies of which the mesh bounds a solid for solids, what is inside included, in every answer: "
+                 "pairs are also overlapping, inside, contains or equal. Also say of each body whether it is one, or "
+                 "why not. --oracle then checks who collides, and how");
     app.add_flag(
         "--depth", options.questions.has_depths,
-        "Also say of each pair of bodies whose meshes bound convex solids how deep they are in each other, the "
-        "direction in which the second gets out, and on which features (triangle:corner); or their gap, as "
-        "solids. --oracle does not check these");
+        "Take bodies of which the mesh bounds a convex solid for solids, as --solids, and also say of each pair of "
+        "these how deep they are in each other, the direction in which the second gets out, and on which features "
+        "(triangle:corner); or their gap. --oracle does not check these");
     add_certify(app, options.certificates);
     app.add_flag("--oracle", options.oracle, "Check every answer, of all pairs of bodies, with CGAL's exact numbers");
     programs::add_broad_phase(app, options.broad_phase, "Which broad phase; sweep_and_prune is the default");
@@ -182,19 +208,7 @@ int run(int argc, char** argv) {
     programs::add_choice(app, "--instruction-set", options.instruction_set, sets,
                          "Use no wider instructions than these, of those that the processor has (the default is the "
                          "widest). Answers are the same");
-    app.callback([&] {
-        if (options.files.empty() == options.cases.empty()) {
-            throw CLI::ValidationError("ecods_check", "files to read, or --cases with one file, are expected");
-        }
-        const SceneQuestions& asked = options.questions;
-        const bool has_questions = asked.has_distances || asked.clearance || asked.has_moves || asked.has_casts ||
-                                   asked.has_solids || asked.has_depths || !asked.rays.empty();
-        if (has_questions && !options.cases.empty()) {
-            throw CLI::ValidationError("ecods_check",
-                                       "--distance, --clearance, --moves, --casts, --solids, --depth and --ray are "
-                                       "for files, not for --cases");
-        }
-    });
+    app.callback([&] { require_sense(options); });
     if (const auto status = programs::parse(app, argc, argv)) return *status;
     limit_instruction_set(options.instruction_set);
     return options.cases.empty() ? check_files(options) : check_cases(options);

@@ -8,6 +8,7 @@
 
 #include "check_print.hpp"
 #include "judge/distance_truth.hpp"
+#include "judge/solid_truth.hpp"
 #include "judge/text.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/oracle.hpp"
@@ -105,29 +106,52 @@ const oracle::Verdict& OracleJudge::State::verdict(std::size_t a, std::size_t b)
     return entry->second;
 }
 
+namespace {
+
+bool is_solid(const Posed<MeshShape>& body) {
+    return body.what->form() != MeshForm::surface;
+}
+
+// The relation of two bodies of which one is a solid, or both.
+Relation relation_of_sets(const Posed<MeshShape>& a, const Posed<MeshShape>& b) {
+    if (!is_solid(a)) return oracle::surface_relation(judge::soup(a), judge::soup(b));
+    if (!is_solid(b)) return judge::mirrored(oracle::surface_relation(judge::soup(b), judge::soup(a)));
+    return oracle::solid_relation(judge::soup(a), judge::soup(b));
+}
+
+}  // namespace
+
 void OracleJudge::check_pair(SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b) {
-    const oracle::Verdict& exact = state_->verdict(a, b);
+    const Posed<MeshShape> body_a = world.posed(a), body_b = world.posed(b);
+    const bool are_surfaces = !is_solid(body_a) && !is_solid(body_b);
+    const oracle::Verdict* const surfaces = are_surfaces ? &state_->verdict(a, b) : nullptr;
+    const Relation exact = are_surfaces ? surfaces->relation : relation_of_sets(body_a, body_b);
     ++report_.body_pairs;
     const auto listed = std::find_if(answer.colliding.begin(), answer.colliding.end(),
                                      [&](const PairAnswer& pair) { return pair.a == a && pair.b == b; });
     const bool is_listed = listed != answer.colliding.end();
     const std::string bodies = scene_.bodies[a].name + ", " + scene_.bodies[b].name;
-    if (is_listed != (exact.relation != Relation::apart)) {
+    if (is_listed != (exact != Relation::apart)) {
         differ(answer, bodies,
-               fmt::format("{} as colliding, but {}", is_listed ? "listed" : "not listed", name_of(exact.relation)));
+               fmt::format("{} as colliding, but {}", is_listed ? "listed" : "not listed", name_of(exact)));
     }
     // Pairs that are not listed are asked about, too.
     const Relation relation = is_listed ? listed->relation : world.world().relation(world.id(a), world.id(b));
+    if (relation != exact) {
+        differ(answer, bodies, fmt::format("{}, but exactly {}", name_of(relation), name_of(exact)));
+    }
+    if (!are_surfaces) return;
     const std::vector<TrianglePair> triangles =
         is_listed ? listed->triangles : world.world().intersecting_triangles(world.id(a), world.id(b));
-    report_.triangle_pairs += std::max(triangles.size(), exact.triangles.size());
-    if (relation != exact.relation) {
-        differ(answer, bodies, fmt::format("{}, but exactly {}", name_of(relation), name_of(exact.relation)));
-    }
-    if (triangles != exact.triangles) {
-        differ(answer, bodies,
-               fmt::format("{} triangle pairs, but exactly {} (or others)", triangles.size(), exact.triangles.size()));
-    }
+    check_triangles(answer, bodies, triangles, surfaces->triangles);
+}
+
+void OracleJudge::check_triangles(const FrameAnswer& answer, const std::string& bodies,
+                                  const std::vector<TrianglePair>& triangles, const std::vector<TrianglePair>& exact) {
+    report_.triangle_pairs += std::max(triangles.size(), exact.size());
+    if (triangles == exact) return;
+    differ(answer, bodies,
+           fmt::format("{} triangle pairs, but exactly {} (or others)", triangles.size(), exact.size()));
 }
 
 void OracleJudge::differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text) {

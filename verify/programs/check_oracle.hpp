@@ -28,11 +28,11 @@ struct OracleReport {
 };
 
 // Checks frame after frame. For every pair of bodies, candidates or not: whether it is listed as colliding, its
-// relation and its complete list of triangle pairs. For the broad phase: the box of every body that moved, and that the
-// overlapping pairs are those of all pairs of boxes. Distances that the answer has, with their points; and with a
-// clearance, for every pair of bodies whether it is listed as close; with moves, whether it meets on the way, and with
-// casts what each body with a motion meets; and everything that rays hit. Work of the oracle is kept for pairs of which
-// neither body moved, but for distances, moves and rays.
+// relation and, of two surfaces, its complete list of triangle pairs. For the broad phase: the box of every body that
+// moved, and that the overlapping pairs are those of all pairs of boxes. Distances that the answer has, with their
+// points; and with a clearance, for every pair of bodies whether it is listed as close; with moves, whether it meets on
+// the way, and with casts what each body with a motion meets; and everything that rays hit: these of surfaces alone.
+// Work of the oracle is kept for pairs of surfaces of which neither body moved, but for distances, moves and rays.
 class OracleJudge {
   public:
     explicit OracleJudge(const scenes::Scene& scene);
@@ -47,6 +47,8 @@ class OracleJudge {
     void pose_meshes(SceneWorld& world);
     void check_boxes(const SceneWorld& world, const FrameAnswer& answer);
     void check_pair(SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b);
+    void check_triangles(const FrameAnswer& answer, const std::string& bodies,
+                         const std::vector<TrianglePair>& triangles, const std::vector<TrianglePair>& exact);
     oracle::MeshDistances distances(const SceneWorld& world, std::size_t a, std::size_t b) const;
     void check_distance(const oracle::MeshDistances& exact, const FrameAnswer& answer, const DistanceAnswer& pair);
     void check_close(const SceneWorld& world, const FrameAnswer& answer);

@@ -16,6 +16,11 @@ nlohmann::ordered_json to_json(const Vec3& v) {
     return {v[0], v[1], v[2]};
 }
 
+// The feature's triangle; null for no feature, as of a point inside a solid.
+nlohmann::ordered_json triangle_of(const Feature& feature) {
+    return feature.kind == Feature::Kind::none ? nlohmann::ordered_json() : nlohmann::ordered_json(feature.triangle);
+}
+
 nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<DistanceAnswer>& pairs) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const DistanceAnswer& pair : pairs) {
@@ -26,8 +31,8 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<Dis
                         {"kind", name_of(closest.kind)},
                         {"point_a", to_json(closest.point_a)},
                         {"point_b", to_json(closest.point_b)},
-                        {"triangle_a", closest.a.triangle},
-                        {"triangle_b", closest.b.triangle}});
+                        {"triangle_a", triangle_of(closest.a)},
+                        {"triangle_b", triangle_of(closest.b)}});
     }
     return json;
 }
@@ -39,8 +44,8 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<Mee
                         {"b", scene.bodies[pair.b].name},
                         {"time", pair.contact.time},
                         {"kind", name_of(pair.contact.kind)},
-                        {"triangle_a", pair.contact.a.triangle},
-                        {"triangle_b", pair.contact.b.triangle}});
+                        {"triangle_a", triangle_of(pair.contact.a)},
+                        {"triangle_b", triangle_of(pair.contact.b)}});
     }
     return json;
 }
@@ -53,7 +58,7 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<Hit
                         {"parameter", hit.parameter},
                         {"rank", hit.rank},
                         {"kind", name_of(hit.kind)},
-                        {"triangle", hit.triangle()},
+                        {"triangle", triangle_of(hit.feature)},
                         {"point", to_json(hit.point)}});
         if (hit.kind != HitKind::along) continue;
         json.back()["leave_parameter"] = hit.leave_parameter;
@@ -62,12 +67,16 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<Hit
     return json;
 }
 
+std::string triangle_text(const Feature& feature) {
+    return feature.kind == Feature::Kind::none ? "none" : std::to_string(feature.triangle);
+}
+
 void print_meetings(std::FILE* out, const scenes::Scene& scene, const char* what,
                     const std::vector<MeetingAnswer>& pairs) {
     for (const MeetingAnswer& pair : pairs) {
         fmt::print(out, "  {} at {}  {} | {}  ({}, triangles {} and {})\n", what, pair.contact.time,
                    scene.bodies[pair.a].name, scene.bodies[pair.b].name, name_of(pair.contact.kind),
-                   pair.contact.a.triangle, pair.contact.b.triangle);
+                   triangle_text(pair.contact.a), triangle_text(pair.contact.b));
     }
 }
 
@@ -81,12 +90,13 @@ void print_hits(std::FILE* out, const scenes::Scene& scene, const std::vector<Hi
         if (hit.kind == HitKind::along)
             points += fmt::format(" to {} at {}", to_text(hit.leave_point), hit.leave_parameter);
         fmt::print(out, "  ray {} hits at {}  {}  ({}, triangle {}: {})\n", ray, hit.parameter, scene.bodies[body].name,
-                   name_of(hit.kind), hit.triangle(), points);
+                   name_of(hit.kind), triangle_text(hit.feature), points);
     }
 }
 
 std::string to_text(const Feature& feature) {
     constexpr std::array names = {"vertex", "edge", "face"};
+    if (feature.kind == Feature::Kind::none) return "none";
     return fmt::format("{} {}:{}", names[static_cast<std::size_t>(feature.kind)], feature.triangle, feature.corner);
 }
 
@@ -96,8 +106,7 @@ void print_depths(std::FILE* out, const scenes::Scene& scene, const FrameAnswer&
                    scene.bodies[b].name, to_text(depth.direction), to_text(depth.a), to_text(depth.b));
     }
     for (const GapAnswer& pair : answer.gaps) {
-        fmt::print(out, "  gap {}  {} | {}  (as solids)\n", pair.distance, scene.bodies[pair.a].name,
-                   scene.bodies[pair.b].name);
+        fmt::print(out, "  gap {}  {} | {}\n", pair.distance, scene.bodies[pair.a].name, scene.bodies[pair.b].name);
     }
 }
 
@@ -134,10 +143,6 @@ void print_frame(std::FILE* out, const scenes::Scene& scene, const FrameAnswer& 
     print_meetings(out, scene, "met", answer.meetings);
     print_meetings(out, scene, "cast meets", answer.casts);
     print_hits(out, scene, answer.hits);
-    for (const SolidAnswer& pair : answer.solids) {
-        fmt::print(out, "  {}  {} | {}  (as solids)\n", name_of(pair.relation), scene.bodies[pair.a].name,
-                   scene.bodies[pair.b].name);
-    }
     print_depths(out, scene, answer);
 }
 
@@ -184,10 +189,6 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const FrameAnswer& an
     if (!answer.meetings.empty()) frame["met"] = to_json(scene, answer.meetings);
     if (!answer.casts.empty()) frame["casts"] = to_json(scene, answer.casts);
     if (!answer.hits.empty()) frame["hits"] = to_json(scene, answer.hits);
-    for (const SolidAnswer& pair : answer.solids) {
-        frame["solid_pairs"].push_back(
-            {{"a", scene.bodies[pair.a].name}, {"b", scene.bodies[pair.b].name}, {"relation", name_of(pair.relation)}});
-    }
     for (const auto& [a, b, depth] : answer.depths) {
         frame["depths"].push_back({{"a", scene.bodies[a].name},
                                    {"b", scene.bodies[b].name},

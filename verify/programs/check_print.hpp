@@ -35,8 +35,8 @@ void print_report(std::FILE* out, const OracleReport& report);
 // "triangle_pairs"}], "distances": [{"a", "b", "distance", "kind", "point_a", "point_b", "triangle_a",
 // "triangle_b"}], "close": [as distances]}], "oracle": {"body_pairs", "triangle_pairs", "boxes", "distances",
 // "clearances", "differing", "differences"}}; distances with --distance only (null: above the largest double), close
-// with --clearance only, the last with --oracle only. With --solids also "solids": [{"body", "is_solid", "why"}], and
-// in a frame "solid_pairs": [{"a", "b", "relation"}]. With --depth also "depths": [{"a", "b", "depth", "direction",
+// with --clearance only, the last with --oracle only. A triangle is null where a point is inside a solid. With --solids
+// also "solids": [{"body", "is_solid", "why"}]. With --depth also "depths": [{"a", "b", "depth", "direction",
 // "feature_a", "feature_b"}] and "gaps": [{"a", "b", "distance"}], where there are any.
 nlohmann::ordered_json to_json(const scenes::Scene& scene);
 nlohmann::ordered_json solids_to_json(const scenes::Scene& scene, const SceneWorld& world);

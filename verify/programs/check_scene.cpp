@@ -8,7 +8,7 @@ namespace ecods::check {
 SceneWorld::SceneWorld(const scenes::Scene& scene, BroadPhaseKind broad_phase, const SceneQuestions& questions)
     : scene_(scene), questions_(questions), world_(WorldOptions{.broad_phase = broad_phase}) {
     world_.set_clearance(questions.clearance);
-    world_.set_solids(questions.has_solids);
+    world_.set_relations(true);
     const std::vector<std::shared_ptr<const MeshShape>> shapes = make_shapes();
     for (const scenes::SceneBody& body : scene.bodies) {
         ids_.push_back(world_.create_body(shapes[body.mesh_index], body.pose));
@@ -105,10 +105,9 @@ FrameAnswer SceneWorld::answer() {
     for (const BodyPair& pair : world_.overlapping_pairs()) {
         answer.overlapping.emplace_back(body_of(pair.a), body_of(pair.b));
     }
-    const std::vector<BodyPair> colliding(world_.colliding_pairs().begin(), world_.colliding_pairs().end());
-    for (const BodyPair& pair : colliding) {
-        answer.colliding.push_back({body_of(pair.a), body_of(pair.b), world_.relation(pair.a, pair.b),
-                                    world_.intersecting_triangles(pair.a, pair.b)});
+    for (const auto& [pair, relation] : world_.relations()) {
+        answer.colliding.push_back(
+            {body_of(pair.a), body_of(pair.b), relation, world_.intersecting_triangles(pair.a, pair.b)});
     }
     for (std::size_t a = 0; questions_.has_distances && a < ids_.size(); ++a) {
         for (std::size_t b = a + 1; b < ids_.size(); ++b) {
@@ -122,9 +121,6 @@ FrameAnswer SceneWorld::answer() {
     answer.meetings = meetings_;
     if (questions_.has_casts) answer.casts = casts();
     answer.hits = hits();
-    for (const SolidPair& pair : world_.solid_pairs()) {
-        answer.solids.push_back({body_of(pair.bodies.a), body_of(pair.bodies.b), pair.relation});
-    }
     if (questions_.has_depths) find_depths(answer);
     return answer;
 }

@@ -14,7 +14,7 @@
 
 namespace ecods::check {
 
-// Two bodies that collide, by their indices in the scene, a < b.
+// Two bodies that collide, by their indices in the scene, a < b, and the triangles that share a point.
 struct PairAnswer {
     std::size_t a = 0;
     std::size_t b = 0;
@@ -44,13 +44,6 @@ struct HitAnswer {
     Hit hit;
 };
 
-// Two solids that are not apart, a < b.
-struct SolidAnswer {
-    std::size_t a = 0;
-    std::size_t b = 0;
-    Relation relation = Relation::touching;
-};
-
 // Two convex solids that share a point, a < b: the shortest way out of the second; and two that do not.
 struct DepthAnswer {
     std::size_t a = 0;
@@ -70,8 +63,10 @@ struct SceneQuestions {
     bool has_moves = false;      // which pairs meet on the way from the frame before
     bool has_casts = false;      // of bodies with a motion: what each meets first
     std::vector<Ray> rays = {};  // what each of them hits, everything
-    bool has_solids = false;     // of bodies of which the mesh bounds a solid: what is inside what
-    bool has_depths = false;     // of those of which it is convex: how deep they are, or how far, of all pairs
+    bool has_solids = false;     // bodies of which the mesh bounds a solid are solids, in every answer
+    bool has_depths = false;     // so are those of which it is convex: how deep they are, or how far, of all pairs
+
+    bool may_have_solids() const noexcept { return has_solids || has_depths; }
 };
 
 // All answers for one frame; frame 0 is the rest. Lists are ascending.
@@ -85,7 +80,6 @@ struct FrameAnswer {
     std::vector<MeetingAnswer> meetings;  // ascending by time
     std::vector<MeetingAnswer> casts;     // of bodies that meet something, by body
     std::vector<HitAnswer> hits;          // by ray, then as World::all_hits() has them
-    std::vector<SolidAnswer> solids;
     std::vector<DepthAnswer> depths;
     std::vector<GapAnswer> gaps;
 };

@@ -70,12 +70,80 @@ def test_distances(manager):
     assert ecods.CollisionManager().min_distance_internal(return_names=True) == (math.inf, None)
 
 
+class Convex(Trimesh):
+    """A mesh of another library that says that it is convex."""
+    is_convex = True
+
+
+def around(half):
+    """A cube around the origin."""
+    return [tuple(2 * half * x - half for x in corner) for corner in box()[0]], box()[1]
+
+
 def test_depths_of_convex_solids():
     made = ecods.CollisionManager()
     made.add_object("a", ecods.ConvexSolid(*box()))
-    made.add_object("b", ecods.ConvexSolid(*box()), at(0.75))
-    _, data = made.in_collision_internal(return_data=True)
-    assert {each.depth for each in data} == {0.25} and data[0].normal.tolist() == [1, 0, 0]
+    made.add_object("b", Convex(*box()), at(0.75))
+    found, data = made.in_collision_internal(return_data=True)
+    assert found and len(data) == 1 and data[0].depth == 0.25 and data[0].normal.tolist() == [1, 0, 0]
+    assert 0.75 <= data[0].point[0] <= 1 and 0 <= data[0].index("a") < 12 and 0 <= data[0].index("b") < 12
+
+
+def test_what_is_inside_a_convex_mesh_collides():
+    made = ecods.CollisionManager()
+    made.add_object("hall", Convex(*around(5)))
+    inner = Convex(*around(0.5))
+    assert made.in_collision_single(inner, at(1), return_names=True) == (True, {"hall"})
+    distance, name, data = made.min_distance_single(inner, at(1), return_name=True, return_data=True)
+    assert (distance, name) == (-4.5, "hall") and data.distance == -4.5
+    assert data.index("hall") is None and data.index("__external") == 0
+    assert data.point("hall").tolist() == data.point("__external").tolist() == [0.5, -0.5, -0.5]
+    _, (contact,) = made.in_collision_single(inner, at(1), return_data=True)
+    assert contact.depth == 4.5 and abs(contact.normal[0]) == 1 and contact.point.tolist() == [0.5, -0.5, -0.5]
+
+
+def test_a_surface_inside_a_solid():
+    made = ecods.CollisionManager()
+    made.add_object("hall", ecods.Solid(*around(5)))
+    made.add_object("ring", around(0.5))
+    _, (contact,) = made.in_collision_internal(return_data=True)
+    assert math.isnan(contact.depth) and np.isnan(contact.normal).all() and contact.point.tolist() == [-0.5] * 3
+    assert contact.index("hall") is None and contact.index("ring") == 0 and "'hall': no face" in repr(contact)
+    assert made.min_distance_internal() == 0.0
+    made.add_object("hall", Trimesh(*around(5)))
+    assert made.in_collision_internal() is False and made.min_distance_internal() == 4.5
+
+
+def test_signed_distances_are_least_first():
+    made = ecods.CollisionManager()
+    cube = Convex(*box())
+    for name, x in (("a", 0), ("b", 0.75), ("c", 1.25), ("d", 2.25)):
+        made.add_object(name, cube, at(x))
+    made.add_object("surface", box(), at(2.5))
+    assert made.min_distance_internal(return_names=True) == (-0.5, ("b", "c"))
+    assert made.min_distance_internal("a", return_names=True) == (-0.25, ("a", "b"))
+    assert made.min_distance_single(cube, at(1), return_name=True) == (-0.75, "b")
+    other = ecods.CollisionManager()
+    other.add_object("x", cube, at(-0.5))
+    other.add_object("y", cube, at(2.5))
+    assert made.min_distance_other(other, return_names=True) == (-0.75, ("d", "y"))
+    touching = made.min_distance_single(cube, at(-1))
+    assert touching == 0 and math.copysign(1, touching) == 1
+    flat = np.diag([1.0, 1.0, 0.0, 1.0])
+    assert made.min_distance_single(cube, flat) == 0 and made.in_collision_single(cube, flat) is True
+
+
+def test_a_dent_by_rounding_is_filled():
+    vertices, faces = np.array(around(0.5)[0]), around(0.5)[1]
+    dented = vertices.copy()
+    dented[0] += 2.0**-40
+    with pytest.raises(ecods.NotSolid):
+        ecods.ConvexSolid(dented, faces)
+    made = ecods.CollisionManager()
+    made.add_object("dented", Convex(dented, faces))
+    made.add_object("open", Convex(vertices, faces[1:]), at(9))
+    assert made.min_distance_single(Convex(*around(0.125))) == -0.625
+    assert made.in_collision_single(Convex(*around(0.125)), at(9)) is False
 
 
 def test_names_without_an_order():

@@ -12,15 +12,16 @@ from scenes import TETRAHEDRON, box, turned
 
 MESH = ecods.Mesh(*TETRAHEDRON)
 CUBE = ecods.ConvexSolid(*box())
+SURFACE = ecods.surface_of(CUBE)
 NEAR = CUBE.at(ecods.pose(t=(0.75, 0, 0)))
 FAR = ecods.pose(t=(3, 0, 0))
 
 
-def world():
+def world(shape=CUBE):
     made = ecods.World("sweep_and_prune", threads=2)
-    made.create_body(CUBE)
-    made.create_body(CUBE, NEAR.pose)
-    made.set_solids(True)
+    made.create_body(shape)
+    made.create_body(shape, NEAR.pose)
+    made.set_relations(True)
     made.update()
     return made
 
@@ -78,14 +79,14 @@ MAKERS = {
     "BodyHit": lambda: world().first_hit(RAY),
     "BodyContact": lambda: world().cast(MESH.at(FAR), [-3, 0, 0]),
     "Meeting": lambda: moving_world()[0],
-    "SolidPair": lambda: world().solid_pairs()[0],
+    "PairRelation": lambda: world().relations()[0],
     "BodyDepth": lambda: world().depths()[0],
     "SolidDistance": lambda: world().solid_distances(1.0)[0],
     "BodyAt": lambda: world().bodies_containing([0.9, 0.5, 0.5]).bodies[0],
     "BodiesContaining": lambda: world().bodies_containing([0.9, 0.5, 0.5]),
     "Witness": lambda: ecods.Witness(),
-    "Certificate": lambda: ecods.certify_distance(CUBE, CUBE.at(FAR)),
-    "WorldCertificate": lambda: world().certify(),
+    "Certificate": lambda: ecods.certify_distance(SURFACE, SURFACE.at(FAR)),
+    "WorldCertificate": lambda: world(SURFACE).certify(),
     "BroadPhase": broad_phase,
     "ReplayDifference": lambda: ecods.Trace(trace().text.replace(" 0\n", " 7\n")).replay().difference,
     "ReplayReport": lambda: trace().replay(),
@@ -203,7 +204,7 @@ def test_a_copied_world_has_the_same_ids():
     last = first.create_body(MESH, FAR)  # where bodies[1] was
     first.set_pair_enabled(bodies[3], bodies[2], False)
     first.set_clearance(0.25)
-    first.set_solids(True)
+    first.set_relations(True)
     first.update()
     first.set_pose(bodies[0], FAR)
     for second in copies(first):
@@ -212,7 +213,7 @@ def test_a_copied_world_has_the_same_ids():
             assert np.array_equal(second.pose(body), first.pose(body)) and second.filter(body) == first.filter(body)
             assert second.user_data(body) == first.user_data(body) and second.mesh(body).digest == first.mesh(body).digest
         assert not second.is_pair_enabled(bodies[2], bodies[3]) and second.is_pair_enabled(bodies[0], bodies[2])
-        assert second.clearance() == 0.25 and second.are_solids_related()
+        assert second.clearance() == 0.25 and second.are_relations_listed()
         # The copy is as before its first update.
         assert len(second.colliding_pairs()) == 0
         second.update()

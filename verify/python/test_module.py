@@ -87,7 +87,7 @@ def test_filters_clearance_nearest_and_hits():
 
 LIMITED = {"within", "close_features"}
 PAIR_QUESTIONS = ["intersects", "relation", "intersecting_triangles", "intersections", "distance", "within", "closest",
-                  "close_features", "solid_relation", "solid_distance", "solid_closest", "depth", "depth_bounds"]
+                  "close_features", "depth", "depth_bounds"]
 
 
 @pytest.mark.parametrize("question", PAIR_QUESTIONS)
@@ -134,38 +134,82 @@ def test_a_posed_mesh_keeps_its_mesh():
 def test_relations_are_one_enum():
     names = ["apart", "touching", "crossing", "overlapping", "inside", "contains", "equal"]
     assert [each.name for each in ecods.Relation] == names
-    assert not any(hasattr(ecods, name) for name in ("SolidRelation", "SurfaceRelation"))
+    gone = ("SolidRelation", "SurfaceRelation", "SolidPair", "solid_relation", "surface_relation", "solid_distance",
+            "solid_closest")
+    assert not any(hasattr(ecods, name) for name in gone)
     room = ecods.Solid(*box())
     for x, relation in ((3, "apart"), (0.75, "crossing"), (0.25, "inside")):
         inner = ecods.Mesh(*box(0.5, 0.5, 0.5)).at(at(x, 0.25, 0.25))
-        assert ecods.surface_relation(inner, room) == ecods.Relation[relation]
+        assert ecods.relation(inner, room) == ecods.Relation[relation]
+        assert ecods.intersects(inner, room) == (relation != "apart")
+    assert ecods.relation(room, inner) == ecods.Relation.contains
+
+
+def test_a_solid_is_all_of_its_points():
+    room = ecods.Solid(*box(4, 4, 4))
+    inner = ecods.Mesh(*box()).at(at(1, 1, 1))
+    assert ecods.intersects(inner, room) and ecods.distance(inner, room) == 0 and ecods.within(inner, room, 0)
+    assert ecods.intersecting_triangles(inner, room).shape == (0, 2)
+    closest = ecods.closest(inner, room)
+    assert closest.kind == ecods.ClosestKind.contained and closest.point_a.tolist() == closest.point_b.tolist()
+    assert closest.a.kind == ecods.FeatureKind.vertex and closest.b.kind == ecods.FeatureKind.none
+    first = ecods.cast(inner, [9, 0, 0], room)
+    assert (first.time, first.kind) == (0, ecods.ClosestKind.contained)
+    ray = ecods.Ray([1, 2, 3], [1, 0, 0])
+    hits = ecods.all_hits(ray, room)
+    assert [hit.kind for hit in hits[:1]] == [ecods.HitKind.inside] and hits[0] == ecods.first_hit(ray, room)
+    assert hits[0].parameter == 0 and hits[0].feature.kind == ecods.FeatureKind.none and hits[1].parameter == 3
+    parameters, triangles = ecods.first_hits([[1, 2, 3], [-1, 2, 3]], [[1, 0, 0]] * 2, room)
+    assert parameters.tolist() == [0, 1] and triangles[0] == -1 and triangles[1] >= 0
+    world = ecods.World()
+    a, b = world.create_body(room), world.create_body(inner.mesh, inner.pose)
+    world.set_relations(True)
+    world.update()
+    assert world.colliding_pairs().tolist() == [[a, b]] and world.nearest(b).distance == 0
+    assert [(each.bodies, each.relation) for each in world.relations()] == [((a, b), ecods.Relation.contains)]
+
+
+def test_a_surface_is_asked_for():
+    room = ecods.ConvexSolid(*box(4, 4, 4))
+    surface = ecods.surface_of(room)
+    inner = ecods.Mesh(*box()).at(at(1, 1, 1))
+    assert surface is ecods.surface_of(room) and type(surface) is ecods.Mesh and surface.digest == room.digest
+    forms = [kind(*box()).form for kind in (ecods.Mesh, ecods.Solid, ecods.ConvexSolid)]
+    assert forms == [ecods.MeshForm.surface, ecods.MeshForm.solid, ecods.MeshForm.convex]
+    assert surface.form == ecods.MeshForm.surface
+    assert ecods.relation(inner, surface) == ecods.Relation.apart and ecods.distance(inner, surface) == 1
+    assert ecods.first_hit(ecods.Ray([1, 2, 3], [1, 0, 0]), surface).parameter == 3
+    del room
+    gc.collect()
+    assert ecods.distance(inner, surface) == 1
 
 
 def test_solids_and_convex_solids():
     cube = ecods.ConvexSolid(*box())
     inner = ecods.Solid(*box(0.5, 0.5, 0.5)).at(at(0.25, 0.25, 0.25))
-    assert ecods.solid_relation(inner, cube) == ecods.Relation.inside
-    assert ecods.surface_relation(inner.mesh, cube) == ecods.Relation.inside
+    assert ecods.relation(inner, cube) == ecods.Relation.inside
+    assert ecods.relation(inner.mesh, cube) == ecods.Relation.inside
     assert ecods.locate([1, 1, 0.5], cube).feature.kind == ecods.FeatureKind.edge
     assert ecods.locate_many([[0.5, 0.5, 0.5], [1, 1, 1], [2, 0, 0]], cube).tolist() == [2, 1, 0]
     deep = ecods.depth(cube, cube.at(at(0.75)))
     assert deep.depth == 0.25 and deep.direction.tolist() == [1, 0, 0]
     assert ecods.depth_bounds(cube, cube.at(at(0.75))).lower <= 0.25
-    assert ecods.solid_distance(cube, cube.at(at(3))) == 2
-    assert ecods.solid_closest(cube, cube) is None
+    assert ecods.distance(cube, cube.at(at(3))) == 2
+    assert ecods.closest(cube, cube).kind == ecods.ClosestKind.intersecting
     assert ecods.depth(cube, cube.at(at(3))) is None and ecods.depth_bounds(cube, cube.at(at(3))) is None
     assert len(ecods.ConvexSolid.hull(np.array(box()[0] + [[0.5, 0.5, 0.5]])).vertices) == 8
     world = ecods.World()
     bodies = [world.create_body(cube), world.create_body(cube, at(0.75)), world.create_body(mesh(), at(9))]
-    world.set_solids(True)
+    assert world.are_relations_listed() is False
+    world.set_relations(True)
     world.update()
-    assert [p.relation for p in world.solid_pairs()] == [ecods.Relation.overlapping]
+    assert [p.relation for p in world.relations()] == [ecods.Relation.overlapping]
     assert world.depths()[0].depth.depth == 0.25 and world.depth(bodies[0], bodies[1]).depth == 0.25
     assert world.solid_distances(1.0)[0].distance == 0
     containing = world.bodies_containing([0.9, 0.5, 0.5])
     assert [each.side for each in containing.bodies] == [ecods.Side.inside] * 2 and containing.skipped_count == 1
     with pytest.raises(ecods.NotSupported):
-        world.solid_relation(bodies[0], bodies[2])
+        world.depth(bodies[0], bodies[2])
     assert isinstance(world.mesh(bodies[0]), ecods.ConvexSolid)
 
 

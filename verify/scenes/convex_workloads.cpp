@@ -143,7 +143,7 @@ ConvexWorkload boxes(const BoxKind& kind, std::size_t count) {
         if (kind.is_turned) query.a.pose.R = rotation(random), query.b.pose.R = rotation(random);
         query.b.pose.t = on_grid(Vec3(random.uniform(0, 1.5) * random.direction()));
         const Solid a(a_mesh), b(b_mesh);
-        const Relation relation = solid_relation({a, query.a.pose}, {b, query.b.pose}, memory);
+        const Relation relation = ecods::relation({a, query.a.pose}, {b, query.b.pose}, memory);
         if (relation != Relation::apart && relation != Relation::touching) add(workload, a_mesh, b_mesh, query);
     }
     return workload;

@@ -264,13 +264,22 @@ PosedMesh far_flung(Random& random) {
     return {Mesh::create(std::move(vertices), mesh.triangles), pose};
 }
 
-SolidCase make_no_solid_area(Random& random) {
-    LatticeMesh nothing;
-    const LatticePoint p{integer(random, 0, 3), integer(random, 0, 3), integer(random, 0, 3)};
-    nothing.add(p, p, {integer(random, 0, 3), 1, 1});
-    SolidCase made =
-        placed(std::move(nothing), random_boundary(random_cells(2, random), random), Relation::apart, random);
-    if (coin(random)) std::swap(made.a, made.b);
+// Segments of one solid go anywhere, also through the other one.
+SolidCase make_antennas(Random& random) {
+    const auto [a, b] = related_cells(random);
+    LatticeMesh mesh = random_boundary(a, random);
+    for (std::uint32_t i = 0, count = 1 + random.below(3); i < count; ++i) {
+        const auto point = [&] {
+            return LatticePoint{integer(random, -1, 4), integer(random, -1, 4), integer(random, -1, 4)};
+        };
+        const LatticePoint p = point();
+        mesh.add(p, p, point());
+    }
+    SolidCase made = placed(std::move(mesh), random_boundary(b, random), relation(a, b), random);
+    if (coin(random)) {
+        std::swap(made.a, made.b);
+        made.relation = relation(b, a);
+    }
     return made;
 }
 
@@ -316,11 +325,11 @@ constexpr Family<SolidCase> table[] = {
     {"singular", make_singular},        // a pose without an inverse; known if both have it and nothing is inside
     // One of the above, a number of a pose or a coordinate of it moved by one ulp: solids for most
     {"nudged", make_nudged},
-    {"kuhn mixed", make_kuhn_mixed},        // two lattices with their own mirroring and size
-    {"tetrahedra", make_tetrahedra},        // small ones, corners of one on faces, edges and corners of the other
-    {"bodies", make_bodies},                // boxes, spheres and tori in random poses
-    {"exponents", make_exponents},          // tetrahedra of coordinates of any exponents
-    {"no solid area", make_no_solid_area},  // known: triangles of zero area alone, and something else
+    {"kuhn mixed", make_kuhn_mixed},  // two lattices with their own mirroring and size
+    {"tetrahedra", make_tetrahedra},  // small ones, corners of one on faces, edges and corners of the other
+    {"bodies", make_bodies},          // boxes, spheres and tori in random poses
+    {"exponents", make_exponents},    // tetrahedra of coordinates of any exponents
+    {"antennas", make_antennas},      // known: polycubes, out of one of which stick segments of zero area
 };
 
 }  // namespace

@@ -2,31 +2,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
 
 #include "tidy/edges.hpp"
 #include "tidy/include_rules.hpp"
+#include "tidy/repository.hpp"
 #include "tidy/text_rules.hpp"
 
 namespace ecods::tidy {
 namespace {
 
-namespace fs = std::filesystem;
-
-const fs::path root = ECODS_SOURCE_DIR;
 const std::set<std::string> folders = {"bench", "fuzz", "include", "src", "verify"};
 // Of the tools around the sources.
 const std::set<std::string> other_folders = {".github", ".ci", ".git", "build"};
-
-std::string read(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 bool is_source(const fs::path& file) {
     const auto ending = file.extension();

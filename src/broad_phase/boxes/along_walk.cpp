@@ -18,8 +18,8 @@ using Numbers = Vec<double, 4>;
 
 using Course = MovingBox::Course;
 
-// The times from which the boxes of a block may be met: MovingBox::meets_from in the same steps for eight boxes.
-// Infinity for a box that is never met, and for an empty lane.
+// Computes `from`, which is MovingBox::meets_from of each box of a block, in the same steps for eight boxes at once. It
+// is infinity for a box that is never met, and for an empty lane.
 struct BlockTimes {
     static_assert(width == 8);
     Numbers from[2], to[2];
@@ -40,8 +40,8 @@ struct BlockTimes {
         }
     }
 
-    // Applies three sides, whose partners are the minima of the boxes, or the maxima. For a maximum of key k, MovingBox
-    // compares -k with the side's key, whereas the block stores ~k = -k - 1.
+    // Applies three sides of the moving box, whose partners are the minima of the block's boxes, or the maxima. For a
+    // maximum of key k, MovingBox compares -k with the side's key, whereas the block stores ~k = -k - 1.
     template <bool are_minima>
     ECODS_ALWAYS_INLINE void take(const std::array<std::int64_t, width>* ends, const MovingBox::Side* sides) noexcept {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -80,8 +80,8 @@ class Walk {
          const std::function<double(SlotIndex)>& visit)
         : trees_(trees), boxes_(boxes), moving_(moving), limit_(MovingBox::latest(limit)), visit_(visit) {}
 
-    // Visits boxes in the order of their times. The next part mostly lies in the part opened last, so only the other
-    // children of that part are queued.
+    // Visits boxes in the order of their times, and returns the number of box tests. The next part mostly lies in the
+    // part that was opened last, so its first child is kept in `next`, and only the other children are queued.
     ECODS_ALWAYS_INLINE std::uint64_t run() {
         for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
             const std::uint32_t height = trees_[tree].level_count() + BoundedPart::position;
@@ -103,13 +103,14 @@ class Walk {
     }
 
   private:
-    // Replaces `part` by the first part in it, and queues the rest. Returns false if no part in it matters.
+    // Replaces `part`, a block or a position, by the first part in it, and queues the other parts in it. Returns false
+    // if no part in it is met up to the limit.
     ECODS_ALWAYS_INLINE bool look_into(BoundedPart& part) {
         return part.height() == BoundedPart::position ? look_at_box(part) : open(part);
     }
 
-    // Replaces a position by its box. The tree's box contains the slot's own box, which is read only now, since many
-    // positions never get here.
+    // Replaces a position by the box there, and returns false if the box is not met up to the limit. The tree has a fat
+    // box; the box of the slot is read only now, since many positions never get here.
     ECODS_ALWAYS_INLINE bool look_at_box(BoundedPart& part) {
         const SlotIndex slot = trees_[part.tree()].slot(part.index());
         part = {moving_.meets_from(boxes_[slot]), BoundedPart::box, slot, part.tree()};

@@ -11,12 +11,14 @@
 
 namespace ecods {
 
-// Visits boxes as walk_near does, by times instead of distances: each of `boxes` that may be met up to the limit is
-// visited when its own lower bound (MovingBox::meets_from) is the least among the remaining boxes, equal ones by slot.
+// Visits the boxes that `moving` may meet up to the time `limit`, in ascending order of a lower bound of that time
+// (MovingBox::meets_from); boxes with equal bounds in the order of their slots. `boxes` has the boxes by slot; the
+// trees' boxes contain them. Each visit returns a new limit, which counts if it is smaller. Returns the number of box
+// tests.
 std::uint64_t walk_along(std::span<const BoxTree> trees, std::span<const Aabb> boxes, const MovingBox& moving,
                          double limit, const std::function<double(SlotIndex)>& visit);
 
-// Sets MovingBox::meets_from of eight boxes, bit by bit the same; infinity for empty boxes.
+// Sets from[i] to MovingBox::meets_from of box i of the block, with the same bits; infinity for an empty box.
 void meet_block(const BoxBlock& block, const MovingBox& moving, std::array<double, BoxBlock::width>& from);
 
 }  // namespace ecods

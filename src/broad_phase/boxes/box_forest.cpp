@@ -11,11 +11,11 @@
 namespace ecods {
 namespace {
 
-constexpr int exponent_count = 2048;  // exponents of doubles
+constexpr int exponent_count = 2048;  // number of exponents of doubles
 constexpr int class_width = 3;        // in powers of two
 
-// Returns the number of the tree for each size. Sizes with few boxes share the tree of the next larger sizes in use:
-// small boxes in a tree of large ones do no harm, large ones in a tree of small ones do.
+// Returns the index of the tree for each exponent of sizes. Sizes with few boxes share the tree of the next larger
+// sizes in use: small boxes in a tree of large boxes do no harm, large boxes in a tree of small boxes do.
 std::array<std::uint8_t, exponent_count> choose_classes(std::span<const BoxForest::Item> items) {
     std::array<std::uint32_t, exponent_count> counts{};
     for (const auto& item : items) ++counts[static_cast<std::size_t>(item.size_exponent)];

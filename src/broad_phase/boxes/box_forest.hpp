@@ -1,4 +1,4 @@
-// Trees over boxes of all sizes, for boxes that come, go and change.
+// Defines a forest: trees over boxes of all sizes, which may be added, removed and changed.
 #pragma once
 
 #include <array>
@@ -11,44 +11,45 @@
 
 namespace ecods {
 
-// Holds one tree for each class of sizes, a factor of eight wide, and a few trees of unsorted boxes: boxes of any size
-// that were added later. Each unsorted tree is more than three times as large as the next, so there are few to search,
-// and while their number of boxes quadruples, a box moves only a few times from one unsorted tree to another.
+// Holds one tree for each class of sizes, a factor of eight wide, and a few unsorted trees, which hold boxes of any
+// size that were added later. Each unsorted tree is more than three times as large as the next one, so there are few of
+// them to search. While the number of boxes in unsorted trees quadruples, a box moves only a few times from one of
+// these trees to another.
 class BoxForest {
   public:
-    // A box to be put into a tree: its slot, center and size. These decide only where it is put; lines[slot] decides
-    // what it overlaps.
+    // Describes a box to be put into a tree: its slot, center and size. Center and size only decide where in the forest
+    // the box is put; lines[slot] decides what it overlaps.
     struct Item {
         TreeItem item;
         int size_exponent;
     };
     static Item make_item(const Aabb& box, SlotIndex slot) noexcept;
 
-    // Appends the item of a slot, unless its line is empty.
+    // Appends the item of a slot to `items`, unless lines[slot] is empty.
     static void append_item(SlotIndex slot, std::span<const PackedBox> lines, std::vector<Item>& items);
 
-    // Builds the forest from these boxes, or from all lines that are not empty. Reorders `items`. Cost: n log n.
+    // Builds the forest from `items`, or from all lines that are not empty. Cost: n log n.
     void build(std::span<Item> items, std::span<const PackedBox> lines);
     void build(std::span<const PackedBox> lines);
 
-    // Sets the box of every slot that is in a tree to its present line. Cost: n.
+    // Sets the box of every slot that is in a tree to lines[slot]. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // Adds boxes: each takes the position of a removed box near it, if there is one in its tree; the others get an
-    // unsorted tree.
+    // Adds boxes. If the tree for the size of a box has the position of a removed box near it, the box takes that
+    // position. The other boxes get an unsorted tree.
     void add(std::span<const Item> items, std::span<const PackedBox> lines);
 
-    // Sets the box of a slot, or removes the slot. Does nothing if the slot is in no tree.
+    // Sets the box of a slot, or removes the slot. Does nothing to a slot that is in no tree.
     void set(SlotIndex slot, const PackedBox& line);
     void remove(SlotIndex slot);
 
     // Prefetches the memory that set() of this slot, and find() of its box, will read.
     void prefetch(SlotIndex slot) const noexcept;
 
-    // Returns the number of boxes in unsorted trees. Searches slow down as it grows: then call build().
+    // Returns the number of boxes in unsorted trees. As this number grows, searches slow down: then call build().
     std::size_t unsorted_count() const noexcept;
 
-    // Calls BoxTree::find for all trees.
+    // Calls BoxTree::find for all trees. Returns the number of box tests.
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const {
         std::uint64_t tests = 0;
@@ -56,7 +57,7 @@ class BoxForest {
         return tests;
     }
 
-    // Calls BoxTree::find_each for all trees.
+    // Calls BoxTree::find_each for all trees. Returns the number of box tests.
     std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits,
                             std::vector<FoundBox>& found) const {
         std::uint64_t tests = 0;

@@ -1,4 +1,4 @@
-// A tree over boxes with eight children per node.
+// Defines a tree over boxes with eight children per node.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace ecods {
 
-// The index of a box in its owner's array of lines.
+// Names a box by its index in the owner's array of lines (packed boxes).
 using SlotIndex = std::uint32_t;
 
 constexpr SlotIndex no_slot = ~SlotIndex{0};
 
-// A box to be put into a tree. Boxes are sorted by `center`: a good choice makes queries fast, any choice is correct,
-// equal centers included. No coordinate may be NaN.
+// Describes a box to be put into a tree. `center` decides its place there: any center is correct, also one that several
+// boxes share, and a good one makes queries fast. No coordinate may be NaN.
 struct TreeItem {
     std::array<double, 3> center;
     SlotIndex slot;
@@ -26,34 +26,35 @@ struct TreeItem {
 
 TreeItem tree_item(const Aabb& box, SlotIndex slot) noexcept;
 
-// A box that overlaps the box of one of several queries.
+// Names a box that overlaps the box of one of several queries.
 struct FoundBox {
     std::uint32_t query;  // number of the query
     SlotIndex slot;
 };
 
-// Scratch of a search for many queries at once: the blocks to visit on one level and on the next, with the query that
-// visits each.
+// Describes the visit of a block by one of several queries.
 struct BlockVisit {
     std::uint32_t query;
     std::uint32_t block;
     std::uint32_t lanes;  // lanes that overlap, as bits
 };
+// Holds scratch of find_each(): the visits on one level and on the next.
 struct BlockVisits {
     std::vector<BlockVisit> level, next;
 };
 
-// The levels of a tree, bottom up. Level 0 has blocks of boxes, each further one blocks of bounds of the blocks below;
-// the last level is one block.
+// Holds the levels of a tree, bottom up. Level 0 has blocks of boxes. Each further level has blocks of bounds, one
+// bound for each block of the level before. The last level is one block.
 using BoxLevels = std::vector<std::vector<BoxBlock>>;
 
-// Boxes in the order of a kd-tree, eight per block; above them the bounds of eight blocks per block, and so on: the
-// tree is an array for each level, without pointers. Splitting by rank keeps it balanced for any distribution:
-// clusters, lines, far outliers. Boxes of mixed sizes make queries slow, since one large box makes the bounds of a
-// block of small ones large: users keep a tree for each class of sizes.
+// Keeps boxes in the order of a kd-tree, eight per block, and above them the bounds of eight blocks per block, and so
+// on: the tree is an array for each level, without pointers. Splitting by rank keeps the tree balanced for any
+// distribution: clusters, lines, far outliers. Boxes of mixed sizes make queries slow, since one large box makes the
+// bounds of a block of small boxes large: users keep a tree for each class of sizes.
 //
-// The walk of one tree is shared with the tree of a mesh (bvh/tree/mesh_bvh.hpp). The builders have nothing in common:
-// the mesh's weighs surfaces and gives nodes any number of children, this one runs many times a second.
+// The tree shares its walk, walk_one(), with the tree of a mesh (bvh/tree/mesh_bvh.hpp). The builders of the two have
+// nothing in common: the builder of a mesh's tree weighs surfaces and gives nodes any number of children, and this one
+// runs many times a second.
 class BoxTree {
   public:
     // Sorts the items and builds the tree; lines[item.slot] is the box of an item. Cost: n log n.
@@ -66,15 +67,15 @@ class BoxTree {
         return slots_[position];
     }
 
-    // Sets the box at every position to the line of its slot; the order stays. Cost: n.
+    // Sets the box at every position to the line of its slot, and keeps the order of the slots. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // Puts a box at an empty position near its center and returns true, or returns false if none is found. Cost: that
-    // of find() for a point.
+    // Puts a box at an empty position near its center, sets `position` and returns true, or returns false if it finds
+    // no empty position there. Cost: that of find() for a point.
     bool insert(const TreeItem& item, const PackedBox& line, std::uint32_t& position);
 
-    // Sets a position's box; an empty box also removes the slot. Cost: a block per level, up to the first level whose
-    // bounds do not change.
+    // Sets the box at a position; an empty box also removes the slot. Cost: a block per level, up to the first level
+    // whose bounds do not change.
     void set(std::size_t position, const PackedBox& line);
     void prefetch(std::size_t position) const noexcept;
     PackedBox get(std::size_t position) const {
@@ -82,30 +83,30 @@ class BoxTree {
         return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
     }
 
-    // Accessors for walks in other files: level 0 holds boxes, the last level one block. Child `lane` of block b on a
-    // level above 0 is block b * 8 + lane of the level below.
+    // Give access to walks in other files. Level 0 holds boxes; the last level is one block. Child `lane` of block b on
+    // a level above 0 is block b * 8 + lane of the level below.
     std::uint32_t level_count() const noexcept { return static_cast<std::uint32_t>(levels_.size()); }
     const BoxBlock& block(std::uint32_t level, std::uint32_t index) const { return levels_[level][index]; }
 
-    // Appends the slots of the boxes that overlap. Returns the number of box tests.
+    // Appends to `found` the slots of the boxes that overlap the box of `reach`. Returns the number of box tests.
     std::uint64_t find(const BoxReach& reach, std::vector<SlotIndex>& found) const;
 
-    // Does what find() does for many queries at once, at a lower cost for each; some hundreds are a good batch. The
-    // found boxes are in no order.
+    // Appends to `found` the boxes that overlap each of many query boxes, in no order. Costs less per query than
+    // find(); some hundreds of queries are a good batch. `visits` is scratch. Returns the number of box tests.
     std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits, std::vector<FoundBox>& found) const;
 
-    // Appends the slots of the boxes that doubles do not prove to be apart from a segment (SegmentBounds) or a ball
-    // (BallBounds). Returns the number of box tests.
+    // Appends to `found` the slots of all boxes but those that a test in doubles proves to be apart from a segment
+    // (SegmentBounds) or a ball (BallBounds). Returns the number of box tests.
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const;
 
-    // Appends the pairs of overlapping slots, one of this tree and one of `other`, which may be the same tree. Fastest
-    // if the boxes of `other` are the larger ones. Returns the number of box tests.
+    // Appends the pairs of slots whose boxes overlap, one slot of this tree and one of `other`, which may be this tree.
+    // Fastest if the boxes of `other` are the larger ones. Returns the number of box tests.
     std::uint64_t join(const BoxTree& other, std::vector<std::array<SlotIndex, 2>>& found) const;
 
     std::size_t bytes() const noexcept;
 
-    // Throws BrokenInvariant unless every bound is the bound of the boxes below it.
+    // Throws BrokenInvariant unless each bound on a higher level is the bound of the boxes below it.
     void validate() const;
 
   private:

@@ -11,7 +11,7 @@
 namespace ecods {
 namespace {
 
-// Returns the axis on which centers spread most. Spreads may overflow to infinity.
+// Returns the axis on which the centers have the largest range. Ranges may overflow to infinity.
 int choose_axis(std::span<const TreeItem> items) {
     std::array<double, 3> min = items[0].center;
     std::array<double, 3> max = min;
@@ -28,10 +28,10 @@ int choose_axis(std::span<const TreeItem> items) {
     return best;
 }
 
-// Sorts the items into the order of the tree: splits by rank down to single blocks. The first part of each split is a
-// power of two of blocks, so that the eight blocks of a parent are the result of three splits.
+// Sorts the items into the order of the tree: splits them by rank, down to single blocks. The number of blocks in the
+// first part of each split is a power of two, so that the eight blocks of a parent are the result of three splits.
 void order(std::span<TreeItem> items) {
-    std::array<std::span<TreeItem>, 32> stack;  // second parts, each at most half as long as the one below
+    std::array<std::span<TreeItem>, 32> stack;  // second parts, at most one for each halving of 2^32 items
     std::size_t depth = 0;
     for (;;) {
         if (items.size() <= BoxBlock::width) {

@@ -9,7 +9,8 @@
 namespace ecods {
 namespace {
 
-// Appends the slots of the given lanes of blocks on level 0.
+// Appends to `found` the slots of the boxes in the given lanes of a block on level 0, as walk_one() requires of its
+// result.
 class SlotResult {
   public:
     ECODS_ALWAYS_INLINE SlotResult(const std::vector<SlotIndex>& slots, std::vector<SlotIndex>& found)
@@ -28,7 +29,7 @@ class SlotResult {
     std::vector<SlotIndex>& found_;
 };
 
-// Appends the slots of the boxes that overlap. Returns the number of box tests.
+// Implements BoxTree::find for a box.
 ECODS_ALWAYS_INLINE std::uint64_t find_slots(const BoxLevels& levels, const std::vector<SlotIndex>& slots,
                                              const BoxReach& reach, std::vector<SlotIndex>& found) {
     const LevelsView<0> view(levels);

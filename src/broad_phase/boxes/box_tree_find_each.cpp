@@ -8,8 +8,9 @@
 namespace ecods {
 namespace {
 
-// Appends make(query, child) for each lane of the visits, and consumes the visits. Each pass takes one lane of each
-// visit and keeps the visits with more lanes: an inner loop over the lanes of a visit would mispredict its end.
+// Appends make(query, child) to `results` for each lane of each visit. Leaves `visits` with unspecified contents. Each
+// pass takes one lane of each visit and keeps the visits with more lanes: an inner loop over the lanes of a visit would
+// mispredict its end.
 template <class Result, class Make>
 ECODS_ALWAYS_INLINE void append_children(std::vector<BlockVisit>& visits, std::vector<Result>& results,
                                          const Make& make) {
@@ -26,7 +27,7 @@ ECODS_ALWAYS_INLINE void append_children(std::vector<BlockVisit>& visits, std::v
     }
 }
 
-// Finds the lanes that overlap, and keeps the visits that have any.
+// Sets the lanes of each visit to the lanes that overlap the box of its query, and drops the visits that have none.
 ECODS_ALWAYS_INLINE void visit_blocks(const std::vector<BoxBlock>& blocks, std::span<const BoxReach> reaches,
                                       std::vector<BlockVisit>& visits) {
     std::size_t count = 0;
@@ -37,8 +38,8 @@ ECODS_ALWAYS_INLINE void visit_blocks(const std::vector<BoxBlock>& blocks, std::
     visits.resize(count);
 }
 
-// Searches level by level: a level's blocks are prefetched while the level above is processed, and no branch depends on
-// the findings. Returns the number of box tests.
+// Implements BoxTree::find_each. Searches level by level: the blocks of a level are prefetched while the level above is
+// processed, and no branch depends on what is found.
 ECODS_ALWAYS_INLINE std::uint64_t find_each_slot(const BoxLevels& levels, const std::vector<SlotIndex>& slots,
                                                  std::span<const BoxReach> reaches, BlockVisits& visits,
                                                  std::vector<FoundBox>& found) {

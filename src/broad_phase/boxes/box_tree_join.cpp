@@ -7,14 +7,13 @@
 namespace ecods {
 namespace {
 
-// The levels and slots of a tree, by reference.
+// Refers to the levels and slots of a tree.
 struct TreeView {
     const BoxLevels& levels;
     const std::vector<SlotIndex>& slots;
 };
 
-// Appends the pairs of overlapping slots, one of each tree; for a tree with itself, each pair once. Returns the number
-// of box tests.
+// Implements BoxTree::join. For a tree with itself, each pair is appended once.
 ECODS_ALWAYS_INLINE std::uint64_t join_trees(const TreeView& tree, const TreeView& other,
                                              std::vector<std::array<SlotIndex, 2>>& found) {
     const bool is_self = &tree.levels == &other.levels;

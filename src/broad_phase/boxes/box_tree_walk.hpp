@@ -1,6 +1,7 @@
-// Shared parts of the walks of a BoxTree: a view of its levels, and the search for parents of blocks. All of it is
-// always inlined, into functions that are compiled for each instruction set (simd/dispatch.hpp). Those functions take
-// levels and slots and are no members, so that the class does not name them.
+// Provides what the walks of a BoxTree share: a view of its levels, and the search for parents of blocks. The functions
+// here are always inlined into functions that are compiled for each instruction set (simd/dispatch.hpp). The latter
+// take the levels and slots of a tree as arguments and are no members of BoxTree, so that the class need not declare
+// them.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +19,13 @@ ECODS_ALWAYS_INLINE void prefetch_block(const BoxBlock& block) noexcept {
     for (const auto& row : block.ends) __builtin_prefetch(row.data());
 }
 
-// A block: of boxes on level 0, of bounds of blocks on higher levels.
+// Names a block: its level, and its index in the level.
 struct TreeNode {
     std::uint32_t level;
     std::uint32_t block;
 };
 
-// The view of a tree that walk_one needs: its blocks from the root down to level `bottom`.
+// Gives walk_one() the view of a tree that it needs: the blocks from the root down to level `bottom`.
 template <std::uint32_t bottom>
 class LevelsView {
   public:
@@ -50,14 +51,15 @@ class LevelsView {
     const BoxLevels& levels_;
 };
 
-// A block on level 1, and some of its lanes, as bits.
+// Names a block on level 1 and some of its lanes, as bits.
 struct ParentBlock {
     std::uint32_t block;
     std::uint32_t children;
 };
 
-// Appends the blocks on level 1 that have overlapping lanes, with these lanes; only children from `first` on count.
-// There must be more than one level. Returns the number of box tests.
+// Appends to `found` each block on level 1 that has lanes which overlap the box of `reach`, together with these lanes.
+// Only lanes whose block on level 0 is at least `first` count. Call only if there is more than one level. Returns the
+// number of box tests.
 ECODS_ALWAYS_INLINE std::uint64_t find_parents(const BoxLevels& levels, const BoxReach& reach, std::uint32_t first,
                                                std::vector<ParentBlock>& found) {
     constexpr std::uint32_t width = BoxBlock::width;
@@ -66,7 +68,8 @@ ECODS_ALWAYS_INLINE std::uint64_t find_parents(const BoxLevels& levels, const Bo
     const auto bound = [&](const TreeNode& node) {
         tests += width;
         std::uint32_t lanes = overlapping(view.block(node), reach);
-        // The first child with a block from `first` on below it; a child has 8^(level - 1) blocks.
+        // A child of `node` contains 8^(level - 1) blocks of level 0. `begin` is the first child, on its level, that
+        // contains block `first` or a later one.
         const std::uint32_t begin = first >> (3 * (node.level - 1)), child = node.block * width;
         if (child < begin) lanes &= begin - child < width ? ~std::uint32_t{0} << (begin - child) : 0;
         return lanes;

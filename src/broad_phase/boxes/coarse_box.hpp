@@ -1,4 +1,4 @@
-// Boxes with half of the bits of each coordinate, which decide nearly all overlap tests.
+// Defines boxes with half of the bits of each coordinate, which decide nearly all overlap tests.
 #pragma once
 
 #include <array>
@@ -12,18 +12,19 @@ namespace ecods {
 
 using CoarseLanes = Vec<std::int32_t, 8>;
 
-// The upper halves of the six numbers of a packed box, truncated, in one register of eight: three numbers in each half
-// of the register, followed by one that is less than everything. If two numbers have different upper halves, these
-// order as the numbers do; if the halves are equal, the order is unknown. Rounding to single precision would not do, as
-// two boxes may be added in different rounding modes. The upper half of a double has the sign, the exponent and 20 bits
-// of the mantissa.
+// Holds the upper halves of the six numbers of a packed box in one register of eight. Each half of the register has
+// three numbers, followed by a number that is less than all others. If two upper halves differ, they are ordered as the
+// numbers are; if they are equal, the order is unknown. The upper half of a double has the sign, the exponent and 20
+// bits of the mantissa. Rounding to single precision would not do, as two boxes may be added in different rounding
+// modes.
 struct alignas(32) CoarseBox {
     static constexpr std::int32_t beyond_all = std::numeric_limits<std::int32_t>::max();
 
     std::array<std::int32_t, 8> ends = {beyond_all, beyond_all, beyond_all, ~beyond_all,
                                         beyond_all, beyond_all, beyond_all, ~beyond_all};  // the empty box
 
-    // Marks a box as in doubt with every other one: its last number then equals the lane that it is compared with.
+    // Makes the overlap of this box with any other doubtful: the last number then equals the lane that it is compared
+    // with.
     void mark() noexcept { ends[7] = beyond_all; }
     void unmark() noexcept { ends[7] = ~beyond_all; }
 
@@ -43,8 +44,8 @@ ECODS_ALWAYS_INLINE void make_coarse_box(const PackedBox& line, CoarseBox& coars
     make_coarse_box(lanes, coarse);
 }
 
-// The result of comparing two coarse boxes. If ends are equal, or a box is marked, the result is in doubt, and the
-// packed boxes must be compared. Otherwise the boxes overlap unless they are apart.
+// Holds the result of comparing two coarse boxes. If ends are equal or a box is marked, `are_in_doubt` is true, and the
+// packed boxes must be compared. Otherwise the boxes overlap exactly if `are_apart` is false.
 struct CoarseOverlap {
     bool are_apart, are_in_doubt;
 };

@@ -46,7 +46,7 @@ class PairWalk {
     }
 
   private:
-    // Queues the pairs of children of a block, including each child with itself.
+    // Queues the pairs of children of a block, and for child blocks also the pair of each child with itself.
     void open(const Part& part) {
         const auto found = parts_.open(part, lanes_);
         for (std::size_t i = 0; i < found.size(); ++i) {

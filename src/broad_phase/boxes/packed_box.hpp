@@ -1,4 +1,4 @@
-// Boxes packed for vector registers: single ones, or blocks of eight with a row for each end.
+// Packs boxes for vector registers: single boxes, or blocks of eight with a row for each end.
 //
 // All operations are on integers (geometry/key_box.hpp), so they give the same results with every instruction set.
 #pragma once
@@ -17,12 +17,12 @@ namespace ecods {
 
 using KeyLanes = Vec<std::int64_t, 4>;
 
-// A box as six numbers: the minima, and the complements of the maxima. Complements reverse the order, so that of two
-// boxes the one with the smaller number reaches farther on each of the six sides: containment, union and overlap are
-// one operation for all sides. Two overlapping registers of four hold the six numbers; both have the numbers 2 and 3.
+// Holds a box as six integers: the minima, and the complements of the maxima. Complements reverse the order, so on each
+// of the six sides, the box with the smaller number reaches farther. Containment, union and overlap are then one
+// operation for all sides. Two registers of four hold the six numbers; both have the numbers 2 and 3.
 struct PackedBox {
     static constexpr std::int64_t unreachable = std::numeric_limits<std::int64_t>::max();
-    static constexpr std::size_t second = 2;  // where the second register begins
+    static constexpr std::size_t second = 2;  // index of the first number in the second register
 
     std::array<std::int64_t, 6> ends = {unreachable, unreachable, unreachable,
                                         unreachable, unreachable, unreachable};  // the empty box
@@ -31,13 +31,13 @@ struct PackedBox {
     bool is_empty() const noexcept { return ends[0] == unreachable; }
 };
 
-// A packed box in registers.
+// Holds a packed box in registers.
 struct BoxLanes {
     KeyLanes first, second;
 };
 
-// A box prepared for overlap tests: another box overlaps it if each of the other's ends is at most the number at the
-// same place here. Has the layout of two registers.
+// Holds a box prepared for overlap tests: a packed box overlaps it exactly if each of the packed box's ends is at most
+// the number at the same place here. The layout is that of two registers.
 struct alignas(64) BoxReach {
     std::array<std::int64_t, 8> ends;
 
@@ -56,8 +56,8 @@ ECODS_ALWAYS_INLINE void store_lanes(const BoxLanes& lanes, PackedBox& line) noe
     store_anywhere(line.ends.data() + PackedBox::second, lanes.second);
 }
 
-// Returns double_of() of each lane. Computes with unsigned numbers, since ends of empty boxes are no keys of doubles,
-// and would overflow.
+// Returns double_of() of each lane. Computes with unsigned numbers: ends of empty boxes are no keys of doubles, and
+// signed numbers would overflow.
 ECODS_ALWAYS_INLINE Vec<double, 4> doubles_of(KeyLanes keys) noexcept {
     using Words = Vec<std::uint64_t, 4>;
     const Words signs = bits_as<Words>(keys < 0);
@@ -78,7 +78,7 @@ inline KeyBox key_box(const PackedBox& line) noexcept {
     return {{line.ends[0], line.ends[1], line.ends[2]}, {~line.ends[3], ~line.ends[4], ~line.ends[5]}};
 }
 
-// Returns the box of a packed box, which must not be empty.
+// Returns the box that `line` packs; it must not be empty.
 inline Aabb box_of(const PackedBox& line) noexcept {
     ECODS_ASSERT(!line.is_empty());
     Aabb box;
@@ -89,7 +89,7 @@ inline Aabb box_of(const PackedBox& line) noexcept {
     return box;
 }
 
-// Sets the registers of packed_box(key_box(box)).
+// Sets `lanes` to the registers of packed_box(key_box(box)).
 ECODS_ALWAYS_INLINE void make_lanes(const Aabb& box, BoxLanes& lanes) noexcept {
     static_assert(sizeof(Aabb) == 6 * sizeof(double));
     const auto* first = reinterpret_cast<const std::int64_t*>(box.min.data());  // read as vectors, which may alias
@@ -102,8 +102,8 @@ ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexc
     store_lanes(lanes, line);
 }
 
-// Makes the reach of a box. A number that both registers of a box have is compared in one of them; the other has the
-// greatest number there.
+// Sets `reach` to the box in `line`, prepared for overlap tests. The two numbers that both registers of a packed box
+// have are compared in one register each: in the other one, the greatest number stands there, which every end passes.
 ECODS_ALWAYS_INLINE void make_reach(const PackedBox& line, BoxLanes& reach) noexcept {
     BoxLanes ends;
     load_lanes(line, ends);
@@ -146,7 +146,7 @@ inline void enlarge(PackedBox& line, const PackedBox& by) noexcept {
     for (std::size_t k = 0; k < 6; ++k) line.ends[k] = std::min(line.ends[k], by.ends[k]);
 }
 
-// Eight boxes, with a row for each end.
+// Holds eight boxes, with a row for each end.
 struct alignas(64) BoxBlock {
     static constexpr std::uint32_t width = 8;
 
@@ -165,13 +165,13 @@ struct alignas(64) BoxBlock {
         for (std::size_t row = 0; row < 6; ++row) line.ends[row] = ends[row][index];
         return line;
     }
-    // True if get(index) == line; faster than that.
+    // True if get(index) == line; this is faster.
     bool has(std::size_t index, const PackedBox& line) const noexcept {
         bool is_same = true;
         for (std::size_t row = 0; row < 6; ++row) is_same &= ends[row][index] == line.ends[row];
         return is_same;
     }
-    // Returns the smallest box that contains all. Compares values without branches, unlike min_element().
+    // Returns the smallest box that contains all eight. Compares values without branches, unlike min_element().
     PackedBox bounds() const noexcept {
         PackedBox line;
         for (std::size_t row = 0; row < 6; ++row) {
@@ -181,7 +181,7 @@ struct alignas(64) BoxBlock {
     }
 };
 
-// Returns bits: bit i is set if box i overlaps.
+// Returns bits: bit i is set if box i of the block overlaps the box of `reach`.
 ECODS_ALWAYS_INLINE std::uint32_t overlapping(const BoxBlock& block, const BoxReach& reach) noexcept {
     KeyLanes beyond[2] = {};
     for (std::size_t row = 0; row < 6; ++row) {

@@ -1,5 +1,5 @@
-// Treats the blocks and boxes of a forest as one kind of item, with an order for priority queues; shared by the
-// best-first walks.
+// Treats the blocks and boxes of a forest as one kind of item, a part, with an order for priority queues. All
+// best-first walks share this.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace ecods {
 
-// A block of a tree, or a box.
+// Names a block of a tree, or a box.
 struct Part {
     std::uint32_t height = 0;  // 0 for a box, otherwise the block's level plus one
     std::uint32_t index = 0;   // index of the block in its level, or the box's slot
@@ -49,7 +49,7 @@ class Parts {
                              : ecods::box_of(trees_[part.tree].block(part.height - 1, part.index).bounds());
     }
 
-    // Returns the blocks or boxes in a block, up to eight.
+    // Returns the blocks or boxes in a block, at most eight, in the memory of `lanes`.
     std::span<const PartBox> open(const Part& part, std::array<PartBox, BoxBlock::width>& lanes) const {
         const BoxTree& tree = trees_[part.tree];
         const BoxBlock& block = tree.block(part.height - 1, part.index);
@@ -73,12 +73,13 @@ class Parts {
     std::span<const Aabb> boxes_;
 };
 
-// A block or box with its lower bound, a distance or a time, which is not negative. Items with equal bounds are ordered
-// so that blocks are opened before boxes are visited, and boxes come in the order of their slots. `position` is a box
-// whose slot is not looked up yet.
+// Holds a block or a box with a lower bound of a distance or a time, which is not negative. Parts are ordered by their
+// bounds. If bounds are equal, blocks come before boxes, so that all blocks are opened before a box is visited, and
+// boxes come in the order of their slots. A part of height `position` is a box whose slot is not looked up yet.
 class BoundedPart {
   public:
-    static constexpr std::uint32_t box = 0, position = 1, block = 2;  // block plus the level, for blocks
+    static constexpr std::uint32_t box = 0, position = 1,
+                                   block = 2;  // values of height(); for blocks, `block` plus the level
 
     BoundedPart() = default;
     // `index` is the index of the block in its level, the position, or the box's slot.
@@ -101,8 +102,8 @@ class BoundedPart {
   private:
     static constexpr std::uint32_t height_max = 255;
 
-    std::uint64_t lower_ = 0;  // bits of nonnegative numbers order as the numbers do
-    std::uint64_t place_ = 0;  // from the most significant bits: height_max - height, the index, the tree
+    std::uint64_t lower_ = 0;  // bits of the bound: bits of nonnegative doubles are ordered as the doubles are
+    std::uint64_t place_ = 0;  // from the most significant bit on: height_max - height, the index, the tree
 };
 
 }  // namespace ecods

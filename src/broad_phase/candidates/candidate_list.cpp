@@ -13,14 +13,15 @@ namespace {
 using Candidate = CandidateList::SlotPair;
 constexpr SlotIndex overlap_bit = CandidateList::overlap_bit;
 
-// The prefetch distance, in candidates. The last candidates are a stretch of their own, with distance 0.
+// The prefetch distance, in candidates. The last candidates are a Stretch of their own, in which the distance is 0.
 constexpr std::size_t candidates_ahead = 24;
 struct Stretch {
     std::size_t end;
     std::size_t ahead;
 };
 
-// Holds the input and output of a test of all candidates.
+// Holds the input and output of a test of all candidates. `there` receives the doubtful pairs that the list already
+// has.
 struct Testing {
     const SlotTable& slots;
     PairEvents& events;
@@ -29,7 +30,7 @@ struct Testing {
     std::vector<Candidate>& there;
     std::size_t looked_closer = 0;
 
-    // Notes a candidate that stays although one of its slots changed, if it is a doubtful pair.
+    // If the pair of a candidate that stays is in `doubtful`, notes that the list has this pair.
     void note_there(SlotIndex a, SlotIndex b) const {
         const Candidate pair = {std::min(a, b), std::max(a, b)};
         if (std::binary_search(doubtful.begin(), doubtful.end(), pair)) there.push_back(pair);
@@ -43,8 +44,8 @@ struct Testing {
         (began ? events.began : events.ended).push_back(pair);
     }
 
-    // Tests the boxes of a candidate if its coarse boxes are in doubt, or show that it began or ceased to overlap.
-    // Returns false if it is no candidate any more.
+    // Tests the boxes of a candidate whose coarse boxes are in doubt, or show that the pair began or ceased to overlap,
+    // and reports if it did. Returns false if the pair is no candidate any more.
     [[gnu::noinline]] bool look_closer(Candidate& candidate) {
         ++looked_closer;
         const SlotIndex owner = candidate[0], partner = candidate[1] & ~overlap_bit;
@@ -68,7 +69,7 @@ struct Testing {
     }
 };
 
-// Drops the pairs that are no candidates any more. Compacts the list without branches, since which pairs stay is
+// Drops the pairs whose fat boxes no longer overlap. Compacts the list without branches, since which pairs stay is
 // unpredictable.
 ECODS_ALWAYS_INLINE void drop_stale(const Testing& testing, std::vector<Candidate>& list) {
     const PackedBox* const fat_lines = testing.slots.fat_lines().data();
@@ -96,8 +97,8 @@ ECODS_ALWAYS_INLINE void drop_stale(const Testing& testing, std::vector<Candidat
     list.resize(static_cast<std::size_t>(write - candidates));
 }
 
-// Tests all candidates by their coarse boxes, and drops the stale ones if `have_some_gone`. Returns how many overlapped
-// before.
+// Tests all candidates by their coarse boxes, and drops the stale pairs if `have_some_gone`. Returns how many
+// candidates overlapped before.
 template <bool have_some_gone>
 ECODS_ALWAYS_INLINE std::uint64_t test_all(Testing& testing, std::vector<Candidate>& list) {
     const CoarseBox* const boxes = testing.slots.coarse_boxes().data();
@@ -127,8 +128,8 @@ ECODS_ALWAYS_INLINE std::uint64_t test_all(Testing& testing, std::vector<Candida
     return overlapping;
 }
 
-// Tests all candidates by the boxes themselves; drop_stale() must have dropped the stale ones. Returns how many
-// overlapped before.
+// Tests all candidates by the boxes themselves; drop_stale() must have dropped the stale pairs. Returns how many
+// candidates overlapped before.
 ECODS_ALWAYS_INLINE std::uint64_t test_all_by_boxes(Testing& testing, std::vector<Candidate>& list) {
     const PackedBox* const lines = testing.slots.lines().data();
     std::uint64_t overlapping = 0;
@@ -159,8 +160,8 @@ ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidat
 void CandidateList::test(SlotTable& slots, bool are_removed_reported, PairEvents& events) {
     std::sort(doubtful_.begin(), doubtful_.end());
     Testing testing{slots, events, are_removed_reported, doubtful_, there_};
-    // Chooses how stale candidates are found. If few slots changed, their coarse boxes are marked, and each of their
-    // candidates is looked at closer. Otherwise a separate pass over all candidates costs less.
+    // Chooses how to find stale candidates. If few slots changed, marks the coarse boxes of these slots, so that each
+    // of their candidates is looked at closer. Otherwise a separate pass over all candidates costs less.
     constexpr std::size_t pairs_of_one = 32;
     const std::size_t changed = slots.changed_slots().size();
     const bool by_boxes = !slots.keeps_coarse_boxes() || tests_by_boxes_ > 0;

@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// Holds the pairs of slots whose fat boxes overlap, at least one of the two awake, each pair once. Also stores whether
+// Holds, each once, the pairs of slots whose fat boxes overlap and of which at least one is awake. Also stores whether
 // the boxes of a pair overlapped when they were last tested.
 class CandidateList {
   public:
@@ -22,7 +22,7 @@ class CandidateList {
     static constexpr SlotIndex overlap_bit = SlotIndex{1} << 31;
 
     std::size_t size() const noexcept { return pairs_.size(); }
-    // Returns the number of candidates that overlapped before the last test.
+    // Returns how many candidates overlapped when the last test() began.
     std::size_t overlapping_count() const noexcept { return overlapping_count_; }
 
     void add(SlotIndex a, SlotIndex b, bool do_overlap) { pairs_.push_back({a, b | (do_overlap ? overlap_bit : 0)}); }
@@ -31,13 +31,15 @@ class CandidateList {
         doubtful_.clear();
     }
 
-    // Adds a pair that may be in the list already: it ceased to be a candidate when a fat box changed, and is one
-    // again. Its boxes must not have overlapped at the last test. The next test() finds out if the pair is in the list.
+    // Adds a pair that ceased to be a candidate when a fat box changed, and is a candidate again; the list may still
+    // have it. The next test() finds out and avoids a duplicate. The boxes of the pair must not have overlapped at the
+    // last test().
     void add_if_new(SlotIndex a, SlotIndex b) { doubtful_.push_back({std::min(a, b), std::max(a, b)}); }
 
-    // Tests all candidates, and reports the pairs that began or ceased to overlap. Drops the pairs that are no
-    // candidates any more because fat boxes changed. A dropped pair does not overlap. If one of its slots was removed,
-    // it may have overlapped until now: then its end is reported, unless `are_removed_reported` is true.
+    // Tests all candidates, and appends the pairs that began or ceased to overlap to `events`. Drops the pairs whose
+    // fat boxes changed and no longer overlap. The boxes of a dropped pair do not overlap now. If one of the two was
+    // removed, they may have overlapped until now; then the end of the pair is reported, unless `are_removed_reported`
+    // is true.
     void test(SlotTable& slots, bool are_removed_reported, PairEvents& events);
 
     // Drops the candidates whose boxes are both asleep.
@@ -68,7 +70,7 @@ class CandidateList {
     void add_doubtful(const SlotTable& slots, PairEvents& events);
 
     std::vector<SlotPair> pairs_;
-    std::vector<SlotPair> doubtful_, there_;  // pairs from add_if_new(), and the ones found in pairs_
+    std::vector<SlotPair> doubtful_, there_;  // pairs from add_if_new(), and the pairs among them that pairs_ has
     std::uint64_t overlapping_count_ = 0;
     std::uint32_t tests_by_boxes_ = 0;  // number of next tests that use the boxes themselves, not coarse boxes
 };

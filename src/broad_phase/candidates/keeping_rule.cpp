@@ -6,20 +6,22 @@
 namespace ecods {
 namespace {
 
-// The work for a tested candidate, and for a moved box. Measured per box, in updates of slow boxes that search for
-// nothing: 13 with 0.3 candidates a box, 31 with 4. In both cases, 5 of these are spent outside the finder.
+// Estimates the work for a tested candidate, and for a moved box. In updates of slow boxes that search for nothing, the
+// measured work per box is 13 with 0.3 candidates a box, and 31 with 4. In both cases, 5 of it are spent outside the
+// finder.
 constexpr double filter_work = 3, move_work = 8;
 
-// The work for a pair that begins or ceases to overlap: a mispredicted branch, sorting, and the update of the list of
-// pairs. If boxes move by a tenth of their size in an update, a fifth of their pairs begin or cease to overlap; the
-// share is proportional to the step.
+// Estimates the work for a pair that begins or ceases to overlap: a mispredicted branch, sorting, and the update of the
+// list of pairs. If boxes move by a tenth of their size in an update, a fifth of their pairs begin or cease to overlap;
+// the share is proportional to the step.
 constexpr double event_work = 55, events_by_step = 1.9;
 
-// The work for looking up a box, and for each of its tests in trees. Measured: if 500 of 10,000 boxes come while the
-// others move, each costs 1600, with 160 tests; if the others are at rest and have no margins, each costs 1000.
+// Estimates the work for looking up a box, and for each of its tests in trees. Measured: if 500 of 10,000 boxes come
+// while the others move, each costs 1600, with 160 tests; if the others are at rest and have no margins, each costs
+// 1000.
 constexpr double lookup_work = 800, tree_test_work = 5.3;
 
-// The work for looking up a box in a forecast, which does not know the number of its tests.
+// Estimates the work for looking up a box in a forecast, which does not know the number of the look-up's tests.
 constexpr double foreseen_lookup_work = 3000;
 
 // Returns the factor on the work of look-ups in large scenes. Look-ups access memory in random order, searches from
@@ -37,8 +39,8 @@ double lookup_factor(std::size_t boxes) noexcept {
 // them at first, and when boxes escape: each box that moves escapes once in a lifetime.
 double KeepingRule::kept_work(const Forecast& forecast, double lifetime) const noexcept {
     constexpr double updates_planned = 16;  // number of updates that share the cost of the first search
-    // The growth of boxes along each axis, as a share of the margin. A box grows by its margin ahead, and by a part of
-    // it behind; both boxes of a pair grow, and few move along an axis. Measured: one half.
+    // Boxes grow along each axis by this share of the margin: a box grows by its margin ahead and by a part of it
+    // behind, both boxes of a pair grow, and few boxes move along an axis. The share was measured.
     constexpr double growth_by_margin = 0.5;
     const auto boxes = static_cast<double>(forecast.boxes);
     const double moved = static_cast<double>(forecast.moved);

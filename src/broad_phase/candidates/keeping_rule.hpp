@@ -31,7 +31,8 @@ class KeepingRule {
     // True if the last decision was to keep nothing: then the next update searches for everything.
     bool searches() const noexcept { return is_scratch_; }
 
-    // True if boxes shall have margins from now on. Called in an update that searches for everything. Sets lifetime().
+    // Decides if boxes have margins from now on: if so, sets lifetime() and returns true. Call only in an update that
+    // searches for everything.
     bool pays(const Forecast& forecast) noexcept;
     double lifetime() const noexcept { return lifetime_; }  // number of updates that these margins shall last
 

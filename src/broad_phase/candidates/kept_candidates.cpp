@@ -37,8 +37,8 @@ void KeptCandidates::update(const FindingUpdate& finding) {
     if (RebuildRule::are_many(changes.added.size(), table.size())) release_working_memory();
 }
 
-// Looks up the boxes that came, awoke or escaped. If too many escaped, searches for everything instead, and returns
-// true.
+// Looks up the boxes that came, woke up or escaped, and returns false. If too many escaped, searches for everything
+// instead, and returns true.
 bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t woken) {
     const auto& [table, changes, keeper, events, counts] = finding;
     // If many boxes go at once, the keeper of the pairs finds their pairs; otherwise each box is looked up.
@@ -83,8 +83,9 @@ bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t w
     return searches_all;
 }
 
-// Removes boxes. Looks up their pairs in which both boxes are asleep, and reports that these end, unless they are
-// reported already. All other pairs of a removed box are candidates, and end when candidates are tested.
+// Removes boxes. Looks up the pairs of a removed box in which both boxes are asleep, and reports their ends unless all
+// pairs of removed boxes are reported already. All other pairs of a removed box are candidates; test_candidates()
+// reports their ends.
 void KeptCandidates::remove(Update& update) {
     const auto& [table, changes, keeper, events, counts] = update.finding;
     constexpr std::size_t ahead = 6;  // prefetch distance, in boxes
@@ -109,9 +110,9 @@ void KeptCandidates::remove(Update& update) {
     }
 }
 
-// Moves boxes, part by part, and lists the boxes that escaped. If `fattens` is true, or if many turn out to escape,
-// gives the escaped boxes of each part new fat boxes instead, and returns true: a list of all would be written to
-// memory and read again.
+// Moves boxes, some at a time, and lists the boxes that escaped. If `fattens` is true, or if many turn out to escape,
+// gives the escaped boxes new fat boxes after each part instead of listing all, and returns true: a list of all escaped
+// boxes would be written to memory and read again.
 bool KeptCandidates::move(const FindingUpdate& finding, bool fattens) {
     constexpr std::size_t part = 1024;
     const auto& [table, changes, keeper, events, counts] = finding;
@@ -146,7 +147,7 @@ void KeptCandidates::adapt_margins(const ProxyTable& table) {
     margins_.learn_turns(slots_.awake_count());
 }
 
-// True if more than half of the slots move. Then a pass over all boxes in the order of memory costs less.
+// True if more than half of the slots move: then a pass over all boxes in the order of memory costs less.
 bool KeptCandidates::do_most_move(const ProxyChanges& changes) const noexcept {
     return 2 * changes.moved.size() > slots_.size();
 }
@@ -160,7 +161,7 @@ void KeptCandidates::test_candidates(const Update& update) {
     slots_.forget_changes();
 }
 
-// Adds a box as one that escaped, since it has no fat box yet.
+// Adds a box to the slots and to the escaped boxes, since it has no fat box yet.
 void KeptCandidates::add(ProxyIndex proxy, const ProxyTable& table) {
     const SlotIndex slot = slots_.add(proxy, table.boxes()[proxy]);
     margins_.add(slot);

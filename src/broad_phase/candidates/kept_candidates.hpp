@@ -25,10 +25,10 @@ namespace ecods {
 // two boxes can overlap only if their fat boxes do. A box that moves is awake, and stays awake until it has been at
 // rest for a while (slot_table.hpp). The candidates are the pairs whose fat boxes overlap, with at least one box awake.
 // An update tests all candidates in one pass, and no other pairs (candidate_list.hpp). A box that escaped from its fat
-// box gets a new one, and looks for new candidates in trees of fat boxes; a box that awakes does so in its old fat box
-// (fat_forest.hpp). If many boxes escaped (rebuild_rule.hpp), a sweep from scratch searches for everything at once, and
-// the result is compared with the pairs of before. If this would happen time after time, boxes have no margins, none is
-// awake, and each update searches for the pairs themselves (keeping_rule.hpp).
+// box gets a new fat box, and looks for new candidates in trees of fat boxes; a box that wakes up looks for candidates
+// with its old fat box (fat_forest.hpp). If many boxes escaped (rebuild_rule.hpp), a sweep from scratch searches for
+// everything at once, and the result is compared with the previous pairs. If most updates would do so, boxes have no
+// margins, no box is awake, and each update searches for the overlapping pairs from scratch (keeping_rule.hpp).
 //
 // The pairs are right for any fat boxes that contain their boxes; how fat they are only matters for speed.
 class KeptCandidates final : public PairFinder {
@@ -46,7 +46,7 @@ class KeptCandidates final : public PairFinder {
         bool are_removed_reported;     // true if the events include the pairs of removed boxes already
         std::uint64_t jump_tests = 0;  // tests for boxes that are far from where they were
     };
-    // Holds the boxes that got new fat boxes in an update: their number, and how many of them were added.
+    // Counts the boxes that got new fat boxes in an update, and among these the boxes that were added.
     struct Fattened {
         std::size_t count = 0, came = 0;
         std::vector<SlotIndex> far;  // slots of boxes that are new, or far from where they were
@@ -103,12 +103,12 @@ class KeptCandidates final : public PairFinder {
 
     // Scratch of an update.
     std::vector<EscapedBox> escaped_;
-    std::vector<SlotIndex> looked_up_;  // slots that awake; later in the update, slots that escaped
+    std::vector<SlotIndex> looked_up_;  // slots of boxes that wake up; later in the update, slots of boxes that escaped
     std::vector<PackedBox> old_fats_;   // previous fat boxes of looked_up_; an added box has an empty one
     Fattened fattened_;
     LookUps look_ups_;
     std::vector<SlotIndex> found_;
-    ProxyPairs pairs_;  // found by a search for everything
+    ProxyPairs pairs_;  // pairs that a search for everything found
     ListingMemory listing_;
 };
 

@@ -1,5 +1,5 @@
-// Implements updates that search for everything. They compare the pairs found with the pairs of before, and read no
-// kept candidates.
+// Implements updates that search for everything. These compare the pairs that they find with the previous pairs, and
+// read no kept candidates.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -9,7 +9,8 @@
 
 namespace ecods {
 
-// Updates by a search for everything, which uses only the kept boxes. Decides if boxes have margins from now on.
+// Performs an update by a search for everything, which needs no data of earlier updates but the boxes. Also decides if
+// boxes have margins from now on.
 void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;
     const auto [forecast, common_step, lifetime_of_fast] = foresee(table, changes);
@@ -53,8 +54,8 @@ void KeptCandidates::drop_candidates() {
     slots_.forget_changes();
 }
 
-// Sets `pairs_` to the pairs of boxes that overlap. With margins, first gives escaped boxes new fat boxes, and also
-// sets the candidates, from the pairs of fat boxes.
+// Sets pairs_ to the pairs of boxes that overlap. If boxes have margins, first gives escaped boxes new fat boxes, and
+// also sets the candidates, from the pairs of fat boxes.
 void KeptCandidates::search_everything(const ProxyTable& table, bool must_sort, BroadPhaseCounts& counts) {
     std::vector<CandidateList::SlotPair>& found = candidates_.found();
     if (has_margins_) {
@@ -101,7 +102,8 @@ void KeptCandidates::fatten_everything(const ProxyTable& table, bool must_sort) 
     }
 }
 
-// Puts all arrays by slot in the order in which the search goes through boxes, and updates the mean extent.
+// Renumbers the slots in the order in which the search goes through boxes, so that neighbours are close in memory, and
+// updates the mean extent.
 void KeptCandidates::sort_slots(const ProxyTable& table) {
     double sum = 0;
     for (SlotIndex slot = 0; slot < slots_.size(); ++slot) {

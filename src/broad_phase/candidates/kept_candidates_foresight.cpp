@@ -37,7 +37,7 @@ Step step_of(const PackedBox& before, const Aabb& now) noexcept {
     return step;
 }
 
-// Returns the quantile of the values: a value that the given share of them does not exceed.
+// Returns a quantile of the values: about the given share of the values does not exceed it. There must be a value.
 double quantile(std::vector<double> values, double share) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
     std::nth_element(values.begin(), place, values.end());
@@ -76,7 +76,7 @@ double share_without_margins(std::span<const Step> steps, const Vec3& common) {
     return static_cast<double>(std::ranges::count_if(steps, leaves)) / static_cast<double>(steps.size());
 }
 
-// Visits a sample of the places from 0 to `count`. Uses multiples of a large prime, so that regular patterns in the
+// Visits a sample of the indices less than `count`. Uses multiples of a large prime, so that regular patterns in the
 // order of the boxes do not bias the sample.
 template <class Visit>
 void for_some_of(std::size_t count, const Visit& visit) {
@@ -86,7 +86,7 @@ void for_some_of(std::size_t count, const Visit& visit) {
 
 }  // namespace
 
-// Makes a forecast from a sample of the boxes that moved.
+// Makes a forecast from a sample of the boxes that moved. Also returns the common step, and the lifetime of fast boxes.
 KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const ProxyChanges& changes) const {
     KeepingRule::Forecast forecast{.boxes = table.size(),
                                    .moved = changes.moved.size(),
@@ -119,7 +119,7 @@ KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const
     return {forecast, common, limit};
 }
 
-// Computes lifetime_of_fast() from a sample of the boxes that escaped, if many did at once.
+// Returns what lifetime_of_fast() returns, for a sample of the boxes that escaped. Call only if many escaped at once.
 double KeptCandidates::lifetime_of_escaped(const ProxyTable& table) const {
     std::vector<Step> steps;
     for_some_of(escaped_.size(), [&](std::size_t place) {

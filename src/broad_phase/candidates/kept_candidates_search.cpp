@@ -16,8 +16,9 @@ bool has_lower_slot(const EscapedBox& a, const EscapedBox& b) noexcept {
 
 }  // namespace
 
-// Gives an escaped box its new fat box, and returns the old one. Lists a box that is new or far from where it was: it
-// gets a new position in the forest, since at its old one it would stretch the bounds around it.
+// Gives escaped_[index] a new fat box, and returns the old fat box. Appends the slot to fattened_.far if the box is new
+// or far from where it was: it then gets a new position in the forest, since at the old position it would stretch the
+// bounds around it.
 PackedBox KeptCandidates::fatten(std::size_t index, const ProxyTable& table) {
     if (index + 2 * escaped_ahead < escaped_.size()) slots_.prefetch(escaped_[index + 2 * escaped_ahead].slot);
     if (index + escaped_ahead < escaped_.size()) {
@@ -71,12 +72,12 @@ const PackedBox& KeptCandidates::fat_line_before(SlotIndex slot) const noexcept 
     return old_fats_[static_cast<std::size_t>(place - escaped_.begin())];
 }
 
-// Adds the candidates of the boxes `begin` to `end` of `looked_up_`, which have new fat boxes.
+// Adds the new candidates of the slots looked_up_[begin] to looked_up_[end - 1], which have new fat boxes.
 void KeptCandidates::link(std::size_t begin, std::size_t end, Update& update) {
     const std::span wanted = std::span<const SlotIndex>(looked_up_).subspan(begin, end - begin);
     const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);
-    // `has` is 0, so partners that are asleep count as known, too. If both boxes are asleep, the pair was no candidate,
-    // and need not be one.
+    // `has` is 0, so partners that are asleep count as known, too: if both boxes are asleep, the pair was no candidate
+    // and need not become one.
     constexpr LookUps::Known known{.looked_up = SlotTable::escaped, .has = 0};
     const std::uint64_t tests = look_ups_.find(wanted, old_fats, known, slots_, forest_.trees());
     std::size_t jumped = 0;
@@ -89,8 +90,8 @@ void KeptCandidates::link(std::size_t begin, std::size_t end, Update& update) {
 }
 
 // Adds a pair found by a look-up to the candidates if one of its boxes is awake, and reports it if its boxes overlap.
-// Skips the pair if its fat boxes overlapped before, since what is known of it is right already. If they did not, its
-// boxes did not overlap either, so boxes that overlap now have just begun to.
+// Skips the pair if its fat boxes overlapped before: then the list and the reported pairs are right already. If the fat
+// boxes did not overlap before, the boxes did not overlap either, so boxes that overlap now have just begun to.
 void KeptCandidates::link(SlotIndex slot, const PackedBox& old_fat, const LookUps::NewPartner& found,
                           const Update& update) {
     const auto [query, partner, overlaps] = found;

@@ -1,4 +1,4 @@
-// Finds the candidates of boxes that awake.
+// Finds the candidates of boxes that wake up.
 #include <algorithm>
 #include <cstddef>
 
@@ -12,7 +12,7 @@ constexpr std::size_t woken_ahead = 6;
 
 }  // namespace
 
-// Wakes the boxes that begin to move, and adds their candidates. Called before boxes are moved.
+// Wakes the boxes that begin to move, and adds their candidates. Call before boxes are moved.
 void KeptCandidates::wake(const FindingUpdate& finding) {
     const auto& moved = finding.changes.moved;
     if (slots_.awake_count() == slots_.used_count() && moved.size() == slots_.used_count()) return;
@@ -32,9 +32,10 @@ void KeptCandidates::wake(const FindingUpdate& finding) {
     slots_.settle_woken(looked_up_);
 }
 
-// Wakes boxes, and widens the fat boxes that they are about to leave. A box at rest usually has no margin: it would
-// escape at once, and be looked up twice. The wider fat box still contains the box as it was. A box that jumps keeps
-// its fat box: one that reaches from here to there would stretch the bounds around it.
+// Wakes the boxes in looked_up_, and widens the fat boxes that they are about to leave. A box at rest usually has no
+// margin: without a wider fat box, it would escape at once, and be looked up twice. The wider fat box still contains
+// the box as it was. A box that jumps keeps its fat box: a fat box from the old place to the new one would stretch the
+// bounds around it.
 void KeptCandidates::widen_woken(const ProxyTable& table) {
     const auto lines = slots_.lines(), fat_lines = slots_.fat_lines();
     const bool are_in_space = margins_.frame().is_at_origin() && !margins_.frame().is_moving();
@@ -62,16 +63,17 @@ void KeptCandidates::widen_woken(const ProxyTable& table) {
     }
 }
 
-// Adds the candidates of the boxes `begin` to `end` of `looked_up_`, which awake, as they are before boxes move. Pairs
-// with boxes that were awake already are in the list, unless the fat box has grown towards them.
+// Adds the new candidates of the slots looked_up_[begin] to looked_up_[end - 1], which wake up, with all boxes as they
+// are before they move. A pair with a box that was awake already is in the list, unless the fat box has grown towards
+// that box.
 void KeptCandidates::link_woken(std::size_t begin, std::size_t end, BroadPhaseCounts& counts) {
     const std::span woken = std::span<const SlotIndex>(looked_up_).subspan(begin, end - begin);
     const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);
     constexpr LookUps::Known known{.looked_up = SlotTable::woken, .has = SlotTable::awake};
     counts.box_tests += look_ups_.find(woken, old_fats, known, slots_, forest_.trees());
     for (const auto& [query, partner, overlaps] : look_ups_.found()) {
-        // A partner that moved away in the last update may still be in the list as a candidate: the next test drops it,
-        // and comes after this. The box that awakes has not moved away, since it was asleep.
+        // If the partner moved away in the last update, the list may still have the pair: only the next test drops it.
+        // The box that wakes up has not moved away, since it was asleep.
         const bool moved_away = slots_.has(partner, SlotTable::awake) && slots_.has(partner, SlotTable::changed);
         if (moved_away && !slots_.has(partner, SlotTable::woken)) {
             candidates_.add_if_new(woken[query], partner);

@@ -18,8 +18,8 @@ struct Asked {
     LookUps::Known known;
 };
 
-// Writes the new partners among the found boxes, in the same order, and returns their number. Compacts without
-// branches, since which boxes are new is unpredictable.
+// Writes the new partners among the found boxes to `write`, in the same order, and returns their number. Compacts
+// without branches, since which boxes are new is unpredictable.
 ECODS_ALWAYS_INLINE std::size_t keep_new(const Asked& asked, const SlotTable& slots, std::span<const FoundBox> found,
                                          LookUps::NewPartner* write) {
     const LookUps::NewPartner* const first = write;

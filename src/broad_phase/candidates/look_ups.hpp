@@ -11,28 +11,28 @@
 
 namespace ecods {
 
-// Holds the scratch of look-ups, and the partners that the last one found.
+// Looks up slots, and holds the partners that the last look-up found and its scratch.
 class LookUps {
   public:
     static constexpr std::size_t part = 128;  // slots looked up at once; their scratch fits in the nearest cache
 
-    // A slot whose fat box overlaps the fat box of a query, and which is not known to be a candidate with it already.
+    // Names a slot, `partner`, whose fat box overlaps the fat box of a query. The pair is not known to be a candidate.
     struct NewPartner {
         std::uint32_t query;  // index of the query among the looked-up slots
         SlotIndex partner;
         bool overlaps;  // true if the boxes overlap, too
     };
-    // Says which of the partners found are known already.
+    // Says which of the found partners are known to be candidates with the query already.
     struct Known {
-        // The flag of all slots that are looked up. If two of them find each other, only the lower slot reports the
-        // pair.
+        // Flag of all slots that are looked up. If two of these find each other, only the lower slot reports the pair.
         unsigned looked_up;
-        // The flags of other partners that may be known: a partner with all of them was a candidate if its fat box
-        // overlaps the old fat box of the query.
+        // Flags of other partners that may be known. A partner with all of these flags was a candidate with the query
+        // exactly if its fat box overlaps the old fat box of the query.
         unsigned has;
     };
 
-    // Looks up at most `part` slots, whose fat boxes were `old_fats` before. Returns the number of box tests.
+    // Looks up the slots in `wanted`, at most `part`; before, their fat boxes were `old_fats`. Sets found() to their
+    // new partners, and returns the number of box tests.
     std::uint64_t find(std::span<const SlotIndex> wanted, std::span<const PackedBox> old_fats, const Known& known,
                        const SlotTable& slots, const BoxForest& fat_boxes);
     std::span<const NewPartner> found() const noexcept { return {partners_.data(), partner_count_}; }

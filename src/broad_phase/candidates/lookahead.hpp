@@ -10,24 +10,25 @@
 namespace ecods {
 
 // Adapts the lookahead so that the cost of wasted tests equals the cost of searches. Wide fat boxes make candidates
-// that are tested in vain, in proportion to the lookahead w; boxes escape from narrow ones sooner, in inverse
-// proportion. The sum of the costs A = a w and B = b / w is least where A = B, which is at the lookahead w sqrt(B / A).
-// Costs are summed from one search for everything to the next, since such a search is most of the work. They are
+// that are tested in vain, in proportion to the lookahead w. Boxes escape sooner from narrow fat boxes, in inverse
+// proportion to w. The sum of the costs A = a w and B = b / w is least where A = B, which is at the lookahead w sqrt(B
+// / A). Costs are summed from one search for everything to the next, since such a search is most of the work. They are
 // counted in tests.
 class Lookahead {
   public:
     double updates() const noexcept { return updates_; }
 
-    // Notes the tests of an update: `wasted` ones of candidates that had not overlapped, and `searched` ones in trees,
-    // for candidates of boxes that escaped. Tests for boxes that jumped do not count: no margin would have spared them.
+    // Notes the tests of an update: `wasted` tests of candidates that had not overlapped, and `searched` tests in trees
+    // for candidates of boxes that escaped. Tests for boxes that jumped do not count: no margin would have avoided
+    // them.
     void note(std::size_t wasted, std::uint64_t searched) noexcept {
         // A test in trees costs more than a test of a candidate, since linking and a new fat box come with it.
         constexpr double search_cost = 2;
         wasted_ += static_cast<double>(wasted);
         searched_ += search_cost * static_cast<double>(searched);
     }
-    // Notes the tests of a search for everything. They weigh less than tests in trees, since many are made at a time,
-    // but the search also sorts boxes and gives them margins.
+    // Notes the tests of a search for everything. These tests weigh less than tests in trees, since many are made at a
+    // time, but the search also sorts boxes and gives them margins.
     void note_everything(std::uint64_t tests) noexcept { searched_ += static_cast<double>(tests); }
     void note_update() noexcept { ++updates_since_adapted_; }
 
@@ -43,16 +44,17 @@ class Lookahead {
         wasted_ = searched_ = 0;
     }
 
-    // Guesses the lookahead before a motion is known. The wasted tests grow with the number of pairs, the cost of a
-    // search does not. So the best lookahead is inversely proportional to the square root of the number of pairs per
-    // box. Measured for boxes of similar sizes.
+    // Guesses the lookahead before a motion is known, for boxes of similar sizes. The number of wasted tests grows with
+    // the number of pairs; the cost of a search does not. So the best lookahead is inversely proportional to the square
+    // root of the number of pairs per box. The factor was measured.
     static double guess(std::size_t pairs, std::size_t boxes) noexcept {
         constexpr double for_one_pair = 50;
         const double pairs_per_box = static_cast<double>(pairs + 1) / static_cast<double>(boxes + 1);
         return std::clamp(for_one_pair / std::sqrt(pairs_per_box), least, most);
     }
 
-    // Starts with a motion that has just begun or changed. Margins of fast boxes last for at most `limit` updates.
+    // Sets the lookahead when a motion has just begun or changed: to `updates`, but to at most `limit`, the number of
+    // updates that margins of fast boxes last.
     void start(double updates, double limit = most) noexcept {
         this->limit(limit);
         updates_ = std::clamp(updates, least, limit_);

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double back = 0.125;  // margin behind a box, for turning back, as a share of the margin ahead
 
-// The margin, as a share of the extent, of boxes that move together, for the motion of each box beside the common one.
+// In a moving frame, each box gets a margin of this share of its extent for its motion relative to the frame.
 constexpr double common_motion_margin = 0x1p-7;
 
-// The numbers of updates are stored modulo this.
+// MotionHint stores numbers of updates modulo this.
 constexpr std::uint32_t escape_numbers = 1u << 23;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -55,7 +55,7 @@ ECODS_ALWAYS_INLINE void find_ends(const PackedBox& line, BoxEnds& ends) noexcep
     find_ends(lanes, ends);
 }
 
-// Packs the least box that contains both boxes. Rounding of `ends`, in whatever direction, must not leave `other`
+// Sets `line` to the smallest box that contains both boxes: rounding of `ends`, in any mode, must not leave `other`
 // outside.
 ECODS_ALWAYS_INLINE void pack(const BoxEnds& ends, const BoxLanes& other, PackedBox& line) noexcept {
     const KeyLanes low = keys_of(bits_as<KeyLanes>(ends.low)), high = ~keys_of(bits_as<KeyLanes>(ends.high));
@@ -88,8 +88,8 @@ struct Margins::Axes {
         frame.is_at_origin() ? load_lanes(line, here) : make_lanes(frame.of(box), here);
     }
 
-    // Enlarges `fat` by the margin that `box` had in `old`, shifted towards the side that the box went to; by at most
-    // `limit` on each side.
+    // Enlarges `fat` by the margin that `box` had in `old`, by at most `limit` on each side. The larger part of the
+    // margin is on the side to which the box moves.
     ECODS_ALWAYS_INLINE static void turn_margin(const BoxEnds& box, const BoxEnds& old, const MotionHint& hint,
                                                 double limit, BoxEnds& fat) noexcept {
         const Doubles half = broadcast<Doubles>(0.5), small = broadcast<Doubles>(back / (1 + back)), none{};
@@ -188,12 +188,12 @@ struct Margins::Axes {
     }
 };
 
-// Gives a box a margin for as many more steps like the last one as the lookahead says, and some for turning back. The
-// margin is at most `widest` times the extent of the box, or times the mean extent if that is larger, so that a fast
-// box does not collect candidates that it will not meet. A longer step was a jump, after which the next step is
-// unknown; then the box gets the margin that it had before, in the direction that it went. A box gets no margin if it
-// would leave it within some steps, or if it jumps time after time: to find candidates that it will not meet costs more
-// than to look it up again.
+// Gives a box a margin for as many more steps like the last one as the lookahead says, and a smaller margin behind, for
+// turning back. The margin is at most `widest` times the extent of the box, or times the mean extent if that is larger,
+// so that a fast box does not collect candidates that it will not meet. A longer step was a jump, after which the next
+// step is unknown; then the box gets the margin that it had before, in the direction of its motion. A box gets no
+// margin if it would leave the margin within some steps, or if it jumps time after time: finding candidates that it
+// will not meet costs more than looking it up again.
 PackedBox Margins::fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line,
                            const PackedBox& old_fat) noexcept {
     PackedBox result;

@@ -31,12 +31,12 @@ class Margins {
     void reorder(std::span<const SlotIndex> order) { reorder_values(hints_, order); }
     void set_mean_extent(double extent) noexcept { mean_extent_ = extent; }
 
-    // Returns a new fat box for an escaped box, which is `box` now, and `line` packed. `fat` is the fat box that it
-    // left.
+    // Returns a new fat box for an escaped box. `box` is the box as it is now, `line` the same box packed, and `fat`
+    // the fat box that it left.
     PackedBox fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line, const PackedBox& fat) noexcept;
 
-    // True if a box has used up half of its margin; then sets `fat` to a new fat box. Otherwise the box would soon
-    // escape alone, which takes a look-up or another search for everything.
+    // If a box has used up half of its margin, sets `fat` to a new fat box and returns true; otherwise returns false.
+    // Without a new fat box, the box would soon escape alone, which takes a look-up or another search for everything.
     bool renew(SlotIndex slot, const Aabb& box, const PackedBox& line, PackedBox& fat) const noexcept;
 
     // Learns along which axes boxes often turn, for example because they lie in one layer. `awake_count` is the number
@@ -48,7 +48,7 @@ class Margins {
   private:
     // Stores how a box moved when it last escaped, by axis, and when that was.
     struct MotionHint {
-        std::uint32_t up : 3 = 0, down : 3 = 0;  // a bit for each axis; unknown if neither has it
+        std::uint32_t up : 3 = 0, down : 3 = 0;  // a bit for each axis; the motion is unknown if neither has the bit
         std::uint32_t turns : 3 = 0;
         std::uint32_t escaped_at : 23 = 0;  // low bits of the number of the update
     };

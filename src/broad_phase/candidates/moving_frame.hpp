@@ -11,8 +11,8 @@ namespace ecods {
 
 // Holds a translation, and the step by which it changes in each update in which most boxes move. Boxes are compared
 // with fat boxes only in this frame, in which the boxes of a flying swarm are at rest. A frame at the origin leaves
-// boxes as they are. Any other frame makes them a little larger, so that a box that is in its fat box in the frame is
-// in it in space, too.
+// boxes as they are. Any other frame makes boxes a little larger, so that a box that is inside its fat box in the frame
+// is also inside it in space.
 class MovingFrame {
   public:
     bool is_moving() const noexcept { return !step_.isZero(0); }
@@ -35,8 +35,8 @@ class MovingFrame {
     }
     void stay() noexcept { before_ = at_; }
 
-    // Returns a box in this frame that contains `box`: of() takes a box as it is now, of_before() one from before the
-    // update.
+    // Returns a box in this frame that contains `box`. of() is for a box as it is now, of_before() for a box as it was
+    // before the update.
     Aabb of(const Aabb& box) const noexcept { return is_at_origin() ? box : minus(box, at_); }
     Aabb of_before(const Aabb& box) const noexcept { return before_.isZero(0) ? box : minus(box, before_); }
 

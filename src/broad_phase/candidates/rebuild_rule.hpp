@@ -1,4 +1,4 @@
-// Decides when everything is searched for, instead of looking up single boxes.
+// Decides when to search for everything instead of looking up single boxes.
 #pragma once
 
 #include <algorithm>
@@ -6,29 +6,30 @@
 
 namespace ecods {
 
-// Looking up a box costs as much as a search for everything does for eight boxes. Such a search also gives new margins
-// to all boxes that need them soon: if boxes have escaped one by one, the next ones escape together again.
+// Looking up one box costs as much as a search for everything costs for eight boxes. A search for everything also gives
+// new margins to all boxes that need them soon: after it, boxes that had escaped one by one escape together again.
 //
 // Boxes drift away from their neighbours in memory and in trees, and added boxes have arbitrary neighbours: after a
 // while, slots are put in order.
 class RebuildRule {
   public:
-    // True if so many of the boxes escaped that everything is searched for.
+    // True if so many boxes escaped that searching for everything costs less than looking them up.
     static bool are_many(std::size_t escaped, std::size_t boxes) noexcept { return 8 * escaped > boxes; }
 
-    // True if look-ups of single boxes have cost half as much as a search for everything, which spares the awake boxes
-    // about as many look-ups. If the last searches renewed few fat boxes, more look-ups come before the next one.
+    // True if look-ups of single boxes have cost half as much as a search for everything. Such a search avoids about as
+    // many look-ups of awake boxes. If the last searches renewed few fat boxes, requires more look-ups before the next
+    // search.
     bool is_due(std::size_t awake, std::size_t boxes) const noexcept {
         return 2 * awake > boxes && 16 * looked_up_ > boxes << patience_;
     }
 
-    // True if too many slots are out of order to search the trees well.
+    // True if so many slots are out of order that searching the trees has become slow.
     bool is_degraded(std::size_t unsorted, std::size_t slots, std::size_t boxes) const noexcept {
         return searched_ > 4 * boxes || 4 * unsorted > boxes + 64 || slots > 2 * boxes + 64;
     }
 
-    // True if slots shall be put in order. Called before a search for everything, in which `escaped` boxes get new fat
-    // boxes, `came` of them added boxes.
+    // Notes that a search for everything will give `escaped` boxes new fat boxes, `came` of them added boxes, and
+    // returns true if slots should be put in order. Call before each search for everything.
     bool is_order_due(std::size_t escaped, std::size_t came, std::size_t boxes) noexcept {
         constexpr std::size_t escapes_per_sort = 8;
         escaped_ += escaped;

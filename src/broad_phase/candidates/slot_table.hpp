@@ -1,4 +1,4 @@
-// Stores the boxes of which candidates are kept, by slot.
+// Stores, by slot, the boxes whose candidates are kept.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ void reorder_values(std::vector<Value>& values, std::span<const SlotIndex> order
     values = std::move(ordered);
 }
 
-// Holds boxes and their fat boxes in slots, and what is known of each. Slots are numbered so that neighbours are close
-// in memory. Fat boxes are in a frame of their own (moving_frame.hpp); free slots have empty boxes.
+// Holds boxes, their fat boxes and flags in slots. Slots are numbered so that neighbours are close in memory. Fat boxes
+// are in a frame of their own (moving_frame.hpp); free slots have empty boxes.
 class SlotTable {
   public:
     enum Flag : std::uint8_t {
@@ -42,7 +42,7 @@ class SlotTable {
         moved = 2,    // has moved since boxes were last put to sleep
         changed = 4,  // its fat box changed, or it was removed: some of its pairs may be no candidates any more
         escaped = 8,  // during an update: has a new fat box
-        woken = 16,   // while boxes awake: the box is one of them
+        woken = 16,   // during KeptCandidates::wake(): the box is being woken
     };
 
     void reserve(std::size_t count);
@@ -99,12 +99,14 @@ class SlotTable {
     void note_woken(SlotIndex slot) noexcept { flags_[slot] |= woken; }
     void settle_woken(std::span<const SlotIndex> slots) noexcept;
 
-    // Gives a slot a new fat box, which also contains its present box. Called before its candidates are looked up.
+    // Gives a slot a new fat box, which must also contain its present box. Call before the slot's candidates are looked
+    // up.
     void widen(SlotIndex slot, const PackedBox& fat);
     void put_all_to_sleep() noexcept;
 
-    // Puts boxes to sleep whose cost awake has reached the cost of one wake-up. Called after an update in which
-    // `moved_count` boxes moved. Returns true if it looked for boxes to put to sleep.
+    // Puts the awake boxes to sleep that have not moved since the last such pass, and returns true. Returns false,
+    // without a pass, until awake boxes at rest have cost as much as the pass. Call after each update; `moved_count`
+    // boxes moved in it.
     bool put_resting_to_sleep(std::size_t moved_count) noexcept;
 
     // ---- changes

@@ -1,4 +1,4 @@
-// Copies boxes that moved from the table, and notes the ones that left their fat boxes.
+// Copies boxes that moved from the table, and lists the boxes that left their fat boxes.
 #include "base/make_room.hpp"
 #include "broad_phase/candidates/slot_table.hpp"
 #include "simd/dispatch.hpp"
@@ -24,7 +24,7 @@ namespace {
 // The prefetch distance, in boxes.
 constexpr std::size_t boxes_ahead = 12;
 
-// Prefetches a box that comes some slots later in a walk over all slots. It may lie on two cache lines.
+// Prefetches a box that comes some slots later in a walk over all slots. The box may lie on two cache lines.
 ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* boxes, std::size_t slot) noexcept {
     const auto* ahead = reinterpret_cast<const char*>(
         &boxes[slots.proxies[slot + boxes_ahead < slots.size ? slot + boxes_ahead : slots.size - 1]]);
@@ -32,7 +32,7 @@ ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* b
     __builtin_prefetch(ahead + sizeof(Aabb) - 1);
 }
 
-// True if a box is in its fat box. `lanes` is the box in space, packed.
+// True if `box` is inside its fat box. `lanes` is `box`, packed; the fat box is in the frame.
 ECODS_ALWAYS_INLINE bool is_in_fat_box(const MovingFrame& frame, const PackedBox& fat_line, const Aabb& box,
                                        const BoxLanes& lanes) noexcept {
     if (frame.is_at_origin()) return contains(fat_line, lanes);

@@ -7,7 +7,7 @@
 namespace ecods {
 
 // Sorts by radix, least significant digit first, and skips digits that are equal in all pairs. For many pairs this is
-// faster than comparing, as branch prediction fails there.
+// faster than a sort by comparisons, whose branches are unpredictable.
 void sort_pairs(ProxyPairs& pairs) {
     constexpr std::size_t few = 96;
     constexpr unsigned digit_bits = 8;

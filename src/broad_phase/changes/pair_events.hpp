@@ -1,4 +1,5 @@
-// The pairs that began and ended with an update, and the interface to the keeper of the pairs.
+// Defines the events of an update, which are the pairs that began and the pairs that ended, and the interface of the
+// keeper of the pairs.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +17,22 @@ inline ProxyPair ordered_pair(ProxyIndex a, ProxyIndex b) noexcept {
     return a < b ? ProxyPair{a, b} : ProxyPair{b, a};
 }
 
-// Returns a number that orders as the pair does.
+// Returns a number that is ordered as pairs are: rank_of(a) < rank_of(b) exactly if a < b.
 constexpr std::uint64_t rank_of(const ProxyPair& pair) noexcept {
     return std::uint64_t{pair.a} << 32 | pair.b;
 }
 
-// Orders pairs by their ranks; a function object, so that algorithms inline it.
+// Compares pairs by their ranks. This is a function object so that algorithms inline it.
 inline constexpr auto is_before = [](const ProxyPair& a, const ProxyPair& b) { return rank_of(a) < rank_of(b); };
 
-// Sorts ascending.
+// Sorts the pairs, ascending.
 void sort_pairs(ProxyPairs& pairs);
 
-// Sorts, and removes duplicates.
+// Sorts the pairs, ascending, and removes duplicates.
 void normalise(ProxyPairs& pairs);
 
-// The events of an update. A pair in both lists ended, and another pair with the same proxy numbers began.
+// Holds the events of an update. A pair in both lists ended because one of its boxes was removed, and began again with
+// a new box of the same proxy number.
 struct PairEvents {
     ProxyPairs began, ended;
 
@@ -41,16 +43,16 @@ struct PairEvents {
     }
 };
 
-// The keeper of the pairs that began at earlier updates and have not ended since. Finders keep no pairs. If a call
-// throws, the kept pairs are unchanged.
+// Keeps the pairs that began at earlier updates and have not ended since; finders keep no pairs. If a function throws,
+// the kept pairs are unchanged.
 class PairKeeper {
   public:
-    // Appends the kept pairs of the boxes that were removed, each once, in any order.
+    // Appends to `ended` the kept pairs with at least one removed box, each once, in any order.
     virtual void append_removed(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& ended) = 0;
 
-    // Sets the events to the differences between the kept pairs and `found`, which holds all pairs that overlap now,
-    // ascending. Pairs of removed boxes have ended; if such a pair is in `found`, it has begun again. `found` is left
-    // with unspecified contents, as scratch.
+    // Sets `events` to the differences between the kept pairs and `found`, which holds all pairs that overlap now,
+    // ascending. A kept pair with a removed box has ended; if the pair is in `found`, it has also begun again. Leaves
+    // `found` with unspecified contents, since it serves as scratch.
     virtual void compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found,
                          PairEvents& events) = 0;
 

@@ -1,4 +1,4 @@
-// The interface of the ways of finding pairs, in which the broad phases differ.
+// Declares the interface of pair finders. Broad phases differ only in their finders.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace ecods {
 
-// The input and output of an update.
+// Holds the input of an update (table, changes and keeper) and its output (events and counts).
 struct FindingUpdate {
     const ProxyTable& table;
     const ProxyChanges& changes;  // not empty
     PairKeeper& keeper;
-    PairEvents& events;  // empty at first
+    PairEvents& events;  // empty when the update begins
     BroadPhaseCounts& counts;
 };
 
@@ -22,17 +22,18 @@ class PairFinder {
   public:
     virtual ~PairFinder() = default;
 
-    // Takes over all boxes of a settled table, whose pairs are known. Called once, before any update.
+    // Takes over all boxes of `table`, which must be settled; the keeper has their pairs already. Call at most once,
+    // before any update.
     virtual void build(const ProxyTable& table, BroadPhaseCounts& counts) = 0;
 
-    // Adds the events of the changes: ascending, each once.
+    // Sets update.events to the pairs that began and ended: two ascending lists without duplicates.
     virtual void update(const FindingUpdate& update) = 0;
 
     virtual void reserve(std::size_t) {}
 
     virtual std::size_t bytes() const noexcept = 0;
 
-    // Throws BrokenInvariant.
+    // Throws BrokenInvariant if the finder's data does not fit the table.
     virtual void validate(const ProxyTable& table) const = 0;
 };
 

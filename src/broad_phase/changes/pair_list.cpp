@@ -12,8 +12,8 @@
 namespace ecods {
 namespace {
 
-// Returns the first pair in a sorted range that is not before `pair`, by galloping search: changes of a list follow
-// each other closely.
+// Returns the first pair of [first, last), which is sorted, that is not before `pair`; `last` if there is none. Uses
+// galloping search, since changes of a list are close to each other.
 const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const ProxyPair& pair) {
     std::ptrdiff_t step = 1;
     while (step < last - first && is_before(first[step], pair)) {
@@ -23,14 +23,14 @@ const ProxyPair* find_from(const ProxyPair* first, const ProxyPair* last, const 
     return std::lower_bound(first, first + std::min(step + 1, last - first), pair, is_before);
 }
 
-// The part of a list between two changes, and its new place.
+// Holds a part of a list without changes, [begin, end), and the place to which it moves.
 struct Block {
     std::size_t begin, end, to;
 };
 
-// Finds the unchanged blocks of a list from which `gone` is removed and into which `come` is inserted, and the places
-// of the pairs in `come`. Both are ascending; pairs of `gone` may be missing from the list. Returns the new size of the
-// list.
+// Appends to `blocks` the unchanged blocks of a list from which `gone` is removed and into which `come` is inserted,
+// and to `places` the new place of each pair in `come`. Both are ascending; `gone` may have pairs that the list lacks.
+// Returns the new size of the list.
 std::size_t find_blocks(const ProxyPairs& list, const ProxyPairs& gone, const ProxyPairs& come,
                         std::vector<Block>& blocks, std::vector<std::size_t>& places) {
     const ProxyPair* const first = list.data();
@@ -58,9 +58,9 @@ std::size_t find_blocks(const ProxyPairs& list, const ProxyPairs& gone, const Pr
     return size;
 }
 
-// Appends the differences of two ascending lists, in order: pairs only in the old one to `ended`, pairs only in the new
-// one to `began`. Fast path: skips blocks of eight that are equal in both lists. Elsewhere advances the list that is
-// behind, or both, without a branch.
+// Appends the differences of two ascending lists, in order: pairs only in the old list to `ended`, pairs only in the
+// new list to `began`. Fast path: skips blocks of eight pairs that are equal in both lists. Otherwise compares pair by
+// pair, and advances the list with the lesser pair, or both lists, without a branch.
 void append_differences(const ProxyPairs& old_list, const ProxyPairs& new_list, ProxyPairs& ended, ProxyPairs& began) {
     constexpr std::size_t few = 8;
     const ProxyPair* gone = old_list.data();
@@ -104,7 +104,7 @@ void PairList::log_events() {
     for (const ProxyPair& pair : events_.began) log_.push_back({pair, order_ + 1});
     order_ += 2;
     is_pending_ = false;
-    // Events are applied in bulk, so that the pass over the list is amortized over a proportional number of them.
+    // Applies the log when it has grown long: the pass over the list is amortized over a proportional number of events.
     constexpr std::size_t log_min = 1024;
     if (log_.size() > list_.size() / 4 + log_min) apply_log();
 }
@@ -121,8 +121,8 @@ void PairList::drop_update() noexcept {
 
 void PairList::append_removed(const ProxyTable& table, const ProxyChanges&, ProxyPairs& ended) {
     apply_log();
-    // The outcome of the test is unpredictable, so there is no branch: every pair is written, and overwritten by the
-    // next one if it does not belong.
+    // Avoids a branch, since the outcome of the test is unpredictable: writes every pair to `removed`, and overwrites
+    // it with the next pair if neither of its boxes was removed.
     constexpr std::size_t some = 64;
     std::array<ProxyPair, some> removed;
     for (std::size_t begin = 0; begin < list_.size(); begin += some) {
@@ -155,7 +155,7 @@ const ProxyPairs& PairList::sorted() {
     return list_;
 }
 
-// Applies the logged events; the last event of each pair counts.
+// Applies the logged events to the list. Only the last event of each pair counts.
 void PairList::apply_log() {
     if (log_.empty()) return;
     std::sort(log_.begin(), log_.end(), [](const Change& a, const Change& b) {
@@ -172,7 +172,7 @@ void PairList::apply_log() {
     order_ = 0;
 }
 
-// Removes `gone` from the list and inserts `come`; both are ascending. Pairs of `gone` may be missing from the list.
+// Removes `gone` from the list and inserts `come`; both are ascending. `gone` may have pairs that the list lacks.
 void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     if (gone.empty() && come.empty()) return;
     constexpr std::size_t long_block = 16;  // shorter blocks cost more to move than to copy
@@ -184,9 +184,9 @@ void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     }
 }
 
-// Patches the list in place, without memory for a second one. Unchanged blocks move as a whole: first the blocks that
-// move down, from the first one on, then the blocks that move up, from the last one on, so that none is overwritten
-// before it has moved.
+// Does what patch() does, in place, without memory for a second list. Unchanged blocks move as a whole: first the
+// blocks that move towards the front, from the first one on, then the blocks that move towards the back, from the last
+// one on. So no block is overwritten before it has moved.
 void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
     std::vector<Block> blocks;
     blocks.reserve(gone.size() + come.size() + 1);
@@ -207,7 +207,7 @@ void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
     list_.resize(size);
 }
 
-// Writes the patched list to spare_ by a merge without branches, for changes that are close to each other.
+// Writes the patched list to spare_ by a merge without branches. This is faster if changes are close to each other.
 void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
     constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
     spare_.resize(list_.size() + come.size());
@@ -219,7 +219,7 @@ void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
         const std::uint64_t kept = rank_of(*read);
         const std::uint64_t goes = next_gone != gone_end ? rank_of(*next_gone) : none;
         const std::uint64_t comes = next_come != come_end ? rank_of(*next_come) : none;
-        if (goes < kept) [[unlikely]] {  // the pair was not in the list
+        if (goes < kept) [[unlikely]] {  // the list lacks this pair
             ++next_gone;
             continue;
         }

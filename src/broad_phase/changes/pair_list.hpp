@@ -9,22 +9,23 @@
 
 namespace ecods {
 
-// The list is brought up to date lazily: an update only leaves its events, which are applied when the list is read.
+// The list is updated lazily: an update only leaves its events, and sorted() applies them when the list is read.
 class PairList final : public PairKeeper {
   public:
-    // `events` receives the events of each update. It may change only between begin_update() and the end of that
-    // update, and is then ascending, each event once.
+    // Refers to `events`, where the caller puts the events of each update; `events` must outlive the list. It may
+    // change only between begin_update() and the end of that update. At that end it must be ascending, each event once.
     explicit PairList(const PairEvents& events) : events_(events) {}
 
-    // Logs the events of the last update, before the next one clears them. If memory runs out, in this function and in
-    // those below, the list is unchanged.
+    // Logs the events of the last update unless the list has them; call it before the next update clears them. If
+    // memory runs out in this function or in those below, the list is unchanged.
     void begin_update();
 
-    // Ends an update that succeeded, or with drop_update() one that failed, which left no events.
+    // End an update: end_update() if it succeeded, drop_update() if it failed. A failed update must leave no events.
     void end_update() noexcept;
     void drop_update() noexcept;
 
-    // Functions of PairKeeper, during an update. After compare(), end_update() replaces the list by the pairs found.
+    // Implement PairKeeper; call them only during an update. After compare(), end_update() replaces the list by
+    // `found`.
     void append_removed(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& ended) override;
     void compare(const ProxyTable& table, const ProxyChanges& changes, ProxyPairs& found, PairEvents& events) override;
 
@@ -36,7 +37,7 @@ class PairList final : public PairKeeper {
   private:
     struct Change {
         ProxyPair pair;
-        std::uint32_t order;  // even: ended; odd: began
+        std::uint32_t order;  // ascends with time; even: the pair ended, odd: it began
     };
 
     void log_events();
@@ -47,11 +48,11 @@ class PairList final : public PairKeeper {
 
     const PairEvents& events_;
     ProxyPairs list_;
-    ProxyPairs spare_;         // the next list_ while it is made, so that a failure leaves list_ unchanged
-    std::vector<Change> log_;  // events that list_ lacks, from updates before the last
+    ProxyPairs spare_;         // the next list_ while it is computed, so that a failure leaves list_ unchanged
+    std::vector<Change> log_;  // events of updates before the last one that list_ lacks
     std::uint32_t order_ = 0;
-    bool is_pending_ = false;   // list_ lacks the events of the last update, too
-    bool is_replaced_ = false;  // during an update: spare_ holds the new list
+    bool is_pending_ = false;   // true if list_ lacks the events of the last update
+    bool is_replaced_ = false;  // true after compare() until the update ends: spare_ holds the next list_
 };
 
 }  // namespace ecods

@@ -12,7 +12,8 @@
 namespace ecods {
 namespace {
 
-// Compares bits, not numbers: a move from 0.0 to -0.0 changes what box() returns, though it changes no pair.
+// True if both boxes have the same bits. Compares bits, not numbers, since a move from 0.0 to -0.0 changes what box()
+// returns, though it changes no pair.
 ECODS_ALWAYS_INLINE bool is_same(const Aabb& a, const Aabb& b) {
     using Two = Vec<std::int64_t, 2>;
     static_assert(sizeof(Aabb) == 3 * sizeof(Two));
@@ -39,7 +40,7 @@ void ProxyTable::reserve(std::size_t count) {
 void ProxyTable::add(ProxyIndex proxy, const Aabb& box) {
     if (is_present(proxy)) throw_misuse(Error("proxy " + std::to_string(proxy) + " is present already"));
     if (proxy >= limit) throw_misuse(Error("proxy " + std::to_string(proxy) + " is out of range"));
-    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): it may be one of boxes_, which growing takes away.
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): `box` may be one of boxes_, which growing frees.
     const Aabb added = box;
     if (proxy >= end()) {
         const std::size_t count = std::size_t{proxy} + 1;
@@ -135,8 +136,8 @@ void ProxyTable::settle() {
         }
         changes_.removed.clear();
         has_moves_only_ = true;
-        // Boxes that were just added mostly rest for a while. Trimming takes a pass over all boxes, amortized over the
-        // many that were added.
+        // Frees spare memory after many boxes were added, since new boxes mostly do not move for a while. Trimming
+        // takes a pass over all boxes, which is amortized over the boxes that were added.
         if (8 * changes_.added.size() > size_) {
             release(changes_.added, queue_, moved_);
             trim(states_, reserved_);
@@ -147,7 +148,7 @@ void ProxyTable::settle() {
     constexpr std::size_t few = 64;
     few* queue_.size() < queue_.capacity() ? release(queue_) : queue_.clear();
     changes_.moved = {};
-    if (++turn_ == 0) {  // turns start again at one: old numbers must not be taken for new ones
+    if (++turn_ == 0) {  // turn_ overflowed: old numbers of turns must not be taken for new ones
         std::fill(queued_at_.begin(), queued_at_.end(), 0);
         turn_ = 1;
     }

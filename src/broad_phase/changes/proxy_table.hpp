@@ -1,4 +1,4 @@
-// The boxes that are present, and the changes since the last update: the bookkeeping that every broad phase shares.
+// Holds the boxes that are present, and the changes since the last update; all broad phases share this bookkeeping.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace ecods {
 
-// The changes since the last update. A proxy that is removed and added again counts as both: the old box is in
-// `removed`, the new one in `added`.
+// Lists the changes since the last update. A proxy that was removed and then added again is in both lists: in `removed`
+// for its old box, in `added` for its new one.
 struct ProxyChanges {
     std::vector<ProxyIndex> added;      // present now, but not at the last update
     std::span<const ProxyIndex> moved;  // present at both times, with another box now
@@ -22,10 +22,10 @@ struct ProxyChanges {
 
 class ProxyTable {
   public:
-    // Exclusive upper bound of proxies: one of 32 bits marks which end of a box it is.
+    // Bounds the proxies (exclusively): an Endpoint uses one of 32 bits to mark which end of a box it is.
     static constexpr ProxyIndex limit = ProxyIndex{1} << 31;
 
-    // The functions promise the same as the functions of BroadPhase with these names.
+    // Functions without a comment promise what the functions of the same names promise in BroadPhase.
     void reserve(std::size_t count);
     void add(ProxyIndex proxy, const Aabb& box);
     void move(ProxyIndex proxy, const Aabb& box);
@@ -35,11 +35,11 @@ class ProxyTable {
     std::size_t size() const noexcept { return size_; }
     std::size_t bytes() const noexcept;
 
-    // Returns the changes since the last settle(). Cost: constant if nothing was called since, otherwise proportional
-    // to the number of calls.
+    // Returns the changes since the last settle(). Cost: constant if no box was added or removed since then, otherwise
+    // proportional to the number of boxes added or moved.
     const ProxyChanges& collect();
 
-    // Makes the present boxes those of the last update.
+    // Ends an update: from now on, changes are relative to the boxes that are present now.
     void settle();
 
     // Returns an exclusive upper bound of the proxies in use.
@@ -48,7 +48,7 @@ class ProxyTable {
     bool is_present(ProxyIndex proxy) const noexcept { return has(proxy, present); }
     bool is_removed(ProxyIndex proxy) const noexcept { return has(proxy, removed); }
 
-    // Returns the boxes by proxy; unspecified for proxies that are not present.
+    // Returns the boxes, indexed by proxy. Boxes of proxies that are not present are unspecified.
     const std::vector<Aabb>& boxes() const noexcept { return boxes_; }
 
     // Returns the proxies that are present, ascending.
@@ -83,12 +83,13 @@ class ProxyTable {
         queued_at_[proxy] = turn_;
     }
 
-    // Indexed by proxy.
+    // These three vectors are indexed by proxy.
     std::vector<std::uint8_t> states_;
     std::vector<Aabb> boxes_;
-    std::vector<std::uint32_t> queued_at_;  // the turn in which it was last put into queue_
+    std::vector<std::uint32_t> queued_at_;  // turn in which the proxy was last put into queue_
 
-    // Number of the turn; a turn ends with settle(). Most turns have moves only, and then need no work per move.
+    // Numbers the turns: a turn lasts from one settle() to the next. In most turns boxes only move, and then collect()
+    // returns queue_ as it is.
     std::uint32_t turn_ = 1;
     bool has_moves_only_ = true;
     std::vector<ProxyIndex> queue_;  // proxies added or moved in this turn, each once

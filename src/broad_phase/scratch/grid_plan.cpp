@@ -9,7 +9,7 @@ namespace {
 
 constexpr double largest = std::numeric_limits<double>::max() / 8;
 
-// The distribution of a sample of boxes on one axis.
+// Describes the distribution of a sample of boxes on one axis.
 struct AxisSample {
     double low = 0;  // nearly all centers are between low and high
     double high = 0;
@@ -29,7 +29,7 @@ AxisSample look_at_axis(std::span<const PackedBox> sample, std::size_t axis) {
         centers.push_back(0.5 * clamp_finite(double_of(line.ends[axis])) +
                           0.5 * clamp_finite(double_of(~line.ends[axis + 3])));
     }
-    // Ignores outliers, which would make the cells too wide for the other boxes.
+    // Ignores a twentieth of the centers at each end: outliers would make the cells too wide for the other boxes.
     const std::size_t few = centers.size() / 20;
     const auto place = [&](std::size_t rank) { return centers.begin() + static_cast<std::ptrdiff_t>(rank); };
     std::nth_element(centers.begin(), place(few), centers.end());
@@ -47,15 +47,17 @@ AxisSample look_at_axis(std::span<const PackedBox> sample, std::size_t axis) {
     return result;
 }
 
-// Returns the share of all boxes that a box passes in a sweep along the axis.
+// Returns the estimated share of all boxes that overlap one box on this axis: a sweep along it tests the box against
+// them.
 double passed(const AxisSample& axis) noexcept {
     return axis.range() > 0 ? std::min(1.0, axis.extent / axis.range()) : 1;
 }
 
-// Returns the estimated cost per box, in tests, of a search with this number of cells. A box is entered into each cell
-// that it reaches, and is tested against the boxes of the cell that it passes in the sweep. Entering a box into a cell
-// costs about as much as entry_cost tests, visiting a cell as much as cell_cost tests. The estimates affect nothing but
-// the speed.
+// Returns the estimated cost per box, in box tests, of a search among `count` boxes in cells_1 * cells_2 cells.
+// `shares` has the shares of the boxes that overlap one box on the axis of the sweep and on the axes of the cells. A
+// box is entered into each cell that it reaches, and is tested there against the boxes that overlap it on the axis of
+// the sweep. Entering a box into a cell costs about as much as entry_cost tests, visiting a cell as much as cell_cost
+// tests. The estimates affect nothing but the speed.
 double cost(double count, const std::array<double, 3>& shares, double cells_1, double cells_2) noexcept {
     constexpr double entry_cost = 40, cell_cost = 80;
     const double entries = (1 + shares[1] * cells_1) * (1 + shares[2] * cells_2);
@@ -64,15 +66,15 @@ double cost(double count, const std::array<double, 3>& shares, double cells_1, d
     return entries * (entry_cost + tests) + cells / count * cell_cost;
 }
 
-// Numbers of cells to try: powers of two, and the numbers half way between.
+// Lists the numbers of cells per axis to try: powers of two, and the numbers half way between.
 constexpr std::array<std::uint32_t, 16> cell_counts = {1,  2,  3,  4,  6,  8,   12,  16,
                                                        24, 32, 48, 64, 96, 128, 192, GridPlan::cells_max};
 
 }  // namespace
 
 void RankMap::set(std::size_t axis, double from, double to) noexcept {
-    // The largest product, rounded up, must be below rank_end: the factor 1 - 2^-40 leaves more than the error of two
-    // roundings.
+    // The largest product, rounded up, must be less than rank_end: the factor 1 - 2^-40 leaves more than the error of
+    // two roundings.
     constexpr double ranks = rank_end * (1 - 0x1p-40);
     const double per_unit = ranks / (to - from);
     low[axis] = from;

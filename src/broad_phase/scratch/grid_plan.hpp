@@ -1,4 +1,5 @@
-// Plans a sweep from scratch: its axis, and the number of cells on the other two axes.
+// Plans a search for all pairs from scratch (grid_sweep.hpp): the axis of the sweep, and the number of cells on the
+// other two axes.
 #pragma once
 
 #include <array>
@@ -13,18 +14,19 @@ namespace ecods {
 using Doubles = Vec<double, 4>;
 using Ranks = Vec<std::int32_t, 4>;
 
-// Maps coordinates to ranks 0 .. rank_end - 1, evenly from `low` on; coordinates beyond get the first or the last rank.
-// Each lane is one axis.
+// Maps coordinates from low to low + width linearly to integers, the ranks 0 .. rank_end - 1; coordinates outside get
+// the first or the last rank. Indices and lanes are axes.
 //
-// Ranks are monotonic in the coordinates, whatever the rounding mode, and with subnormals taken for zero, since all
-// steps are: a difference from a constant, a product with a constant, a clamp and a truncation. So a lower rank means a
-// lower coordinate; for equal ranks the order is unknown. How even the ranks are affects only the speed.
+// Ranks are monotonic in the coordinates, in any rounding mode and also if subnormals are taken for zero, since each
+// step is monotonic: a difference from a constant, a product with a constant, a clamp and a truncation. So a lower rank
+// means a lower coordinate; for equal ranks the order is unknown. How evenly ranks are distributed affects only the
+// speed.
 struct alignas(32) RankMap {
     static constexpr std::int32_t rank_bits = 22;
     static constexpr std::int32_t rank_end = std::int32_t{1} << rank_bits;
 
     std::array<double, 4> low{};
-    std::array<double, 4> width{};  // extent of all ranks together; finite, not negative
+    std::array<double, 4> width{};  // length that the ranks cover; finite, not negative
     std::array<double, 4> ranks_per_unit{};
 
     void set(std::size_t axis, double from, double to) noexcept;
@@ -35,14 +37,14 @@ struct alignas(32) RankMap {
     }
 };
 
-// Returns the cell of a rank; each cell is a run of equally many ranks.
+// Returns the cell of a rank. Ranks 0 .. rank_end - 1 are divided evenly among the cells.
 inline std::uint32_t cell_of(std::int32_t rank, std::uint32_t cell_count) noexcept {
     return static_cast<std::uint32_t>(std::uint64_t{static_cast<std::uint32_t>(rank)} * cell_count >>
                                       RankMap::rank_bits);
 }
 
 struct GridPlan {
-    static constexpr std::uint32_t cells_max = 256;  // along an axis
+    static constexpr std::uint32_t cells_max = 256;  // per axis
 
     std::array<std::size_t, 3> axes = {0, 1, 2};  // axis of the sweep, then the axes of the cells
     std::array<std::uint32_t, 2> cells = {1, 1};
@@ -51,7 +53,7 @@ struct GridPlan {
     std::size_t cell_count() const noexcept { return std::size_t{cells[0]} * cells[1]; }
 };
 
-// Plans from a sample of the lines, some of which may be empty. Cost: reads about a thousand lines at most.
+// Plans the search from a sample of `lines`, some of which may be empty. Cost: reads about a thousand lines at most.
 GridPlan plan_grid(std::span<const PackedBox> lines);
 
 }  // namespace ecods

@@ -23,7 +23,8 @@ void GridSweep::arrange(std::span<const PackedBox> lines) {
     plan_ = plan_grid(lines);
     ranked_.resize(lines.size());
     dispatch<Loops::rank>(*this, lines);
-    // The plan may be bad if the sample lacks many boxes that reach many cells: then halves the numbers of cells.
+    // Halves the numbers of cells while boxes are in too many cells: the plan is bad if the sample lacks many large
+    // boxes.
     while (!count_cells(lines)) {
         for (std::uint32_t& count : plan_.cells) count = std::max(count / 2, 1u);
     }
@@ -53,7 +54,7 @@ std::uint64_t GridSweep::find_pairs(std::span<const PackedBox> lines, std::vecto
     return work.tests + forest.find_pairs(found);
 }
 
-// Sorts the boxes along the sweep's axis, by radix sort of their ranks.
+// Sets begins_ to the boxes that are not empty, sorted along the axis of the sweep, by radix sort of their ranks.
 void GridSweep::sort_begins(std::span<const PackedBox> lines) {
     constexpr unsigned digit_bits = RankMap::rank_bits / 2;
     constexpr std::size_t digit_count = std::size_t{1} << digit_bits;
@@ -80,8 +81,8 @@ void GridSweep::sort_begins(std::span<const PackedBox> lines) {
     }
 }
 
-// Counts the entries of each cell. Returns false if boxes are in too many cells and there is more than one cell, so
-// that fewer cells help.
+// Sets reached_, and the count and the offset of each cell. Returns false, with the work unfinished, if boxes are in
+// too many cells and there is more than one cell, so that fewer cells help.
 bool GridSweep::count_cells(std::span<const PackedBox> lines) {
     constexpr std::size_t entries_max = 12;  // average per box
     reached_.resize(lines.size());
@@ -108,8 +109,8 @@ bool GridSweep::count_cells(std::span<const PackedBox> lines) {
         cell.offset = offset;
         offset += row_count * cell.stride();
     }
-    // Frees first, since nothing needs to be copied, and reserves more, since the next search mostly needs a little
-    // more.
+    // Frees the old memory first, since nothing in it is needed, and reserves more, since the next search mostly needs
+    // a little more.
     if (rows_.capacity() < offset) {
         release(rows_);
         rows_.reserve(offset + offset / 8);

@@ -12,35 +12,36 @@
 
 namespace ecods {
 
-// Sort and sweep in the columns of a grid: boxes are sorted along one axis and put in that order into each cell of the
-// other two axes that they reach. In each cell, a box is compared with the boxes that begin before it ends, eight at
-// once. A pair is reported in the first cell, on both axes, that both boxes reach, and in no other. Ends are ranks, for
-// which half as many bits suffice (grid_plan.hpp); if two ranks are equal, the boxes themselves decide. If the sweep
-// takes many tests for few pairs, it is given up for trees, which no arrangement makes slow. (The sweep is from D.
-// Baraff's thesis, 1992. That a sweep from scratch, over integers that are contiguous in memory, may cost less than
-// keeping its lists is from P. Terdiman, "Box pruning revisited".)
+// Sorts and sweeps in the columns of a grid. Boxes are sorted along one axis and put in that order into each cell of
+// the other two axes that they reach. In each cell, a box is compared with the boxes that begin before it ends, eight
+// at once. A pair is reported only in the first cell, on both axes, that both boxes reach. The sweep compares ranks
+// (grid_plan.hpp), which have half as many bits as coordinates; if two ranks are equal, the boxes are compared. If the
+// sweep takes many tests for few pairs, a search in trees replaces it, which no arrangement of boxes makes slow. (The
+// sweep is from D. Baraff's thesis, 1992. That a sweep from scratch, over integers that are contiguous in memory, may
+// cost less than keeping its lists is from P. Terdiman, "Box pruning revisited".)
 //
-// The scratch memory is kept for the next search.
+// The object keeps its scratch memory for the next search.
 class GridSweep {
   public:
-    // Appends all pairs of slots whose boxes overlap, each once, in no order. Empty lines overlap none. Returns the
-    // number of box tests. Cost: a few passes over the boxes, and a test for each two boxes of a cell that overlap on
-    // the axis of the sweep, up to the number of tests beyond which trees cost less. If memory runs out, `found` has
+    // Appends all pairs of slots whose boxes overlap, each once, in no order. An empty line overlaps no other. Returns
+    // the number of box tests. Cost: a few passes over the boxes, and a test for each two boxes of a cell that overlap
+    // on the axis of the sweep, up to the number of tests above which trees cost less. If memory runs out, `found` has
     // some of the pairs.
     std::uint64_t find_pairs(std::span<const PackedBox> lines, std::vector<std::array<SlotIndex, 2>>& found);
 
-    // Appends the slots of all lines that are not empty, in the order in which the search goes through boxes:
-    // neighbours are mostly close to each other.
+    // Appends the slots of all lines that are not empty, cell by cell and sorted within each cell: neighbours in this
+    // order are mostly close to each other.
     void append_order(std::span<const PackedBox> lines, std::vector<SlotIndex>& order);
 
     std::size_t bytes() const noexcept;
 
   private:
-    // The ranks of a box on three axes, and the cells that it reaches.
+    // Holds the ranks of a box's begin and end on three axes.
     struct alignas(32) RankedBox {
         std::array<std::int32_t, 4> begin;
         std::array<std::int32_t, 4> end;
     };
+    // Holds the first and the last cell that a box reaches, on each axis of the cells.
     struct Reached {
         std::array<std::uint8_t, 2> first;
         std::array<std::uint8_t, 2> last;
@@ -49,23 +50,24 @@ class GridSweep {
         std::int32_t rank;
         SlotIndex slot;
     };
-    // A cell has eight rows of numbers: the begins and ends of its boxes on three axes, in the order of the sweep,
-    // their slots, and bits for the axes on which the cell is the first one that the box reaches.
+    // A cell has eight rows of numbers. Each row has one number for each box in the cell, in the order of the sweep:
+    // its begin and end on three axes, its slot, and two bits that say on which axes this cell is the first that the
+    // box reaches.
     struct Cell {
-        std::size_t offset = 0;  // offset of the first row
+        std::size_t offset = 0;  // offset of the first row in rows_
         std::uint32_t count = 0;
         std::uint32_t filled = 0;
         std::size_t stride() const noexcept { return count + padding; }
     };
-    // Boxes of a cell that may overlap box `own`: bits of eight boxes, from `first` on. Hits are collected and
-    // processed in bulk, so that the sweep does not wait for the memory that processing reads.
+    // Marks the boxes of a cell that may overlap box number `own`: bit i is for box number `first` + i, of eight. Hits
+    // are collected and processed in bulk, so that the sweep does not wait for the memory that processing reads.
     struct Hits {
         std::uint32_t own;
         std::uint32_t first;
         std::uint32_t bits;
     };
-    // Bounds the work. Most tests find nothing if boxes are at places so far apart that all boxes of one place have
-    // equal ranks.
+    // Limits the number of tests that find nothing: goes_on() is false if there were many tests and few pairs. Most
+    // tests find nothing if boxes are in places so far apart that all boxes of one place have equal ranks.
     struct Work {
         std::uint64_t tests = 0;
         std::uint64_t tests_max;
@@ -77,7 +79,8 @@ class GridSweep {
             return tests < tests_per_pair * found_count;
         }
     };
-    // Each row ends with padding, which the sweep may read: its boxes begin after all others end.
+    // Each row ends with this number of padding boxes, which begin after all other boxes end: the sweep reads eight
+    // boxes at once.
     static constexpr std::size_t padding = 8;
     static constexpr std::size_t row_count = 8;
 

@@ -1,4 +1,4 @@
-// The loops of GridSweep over all boxes, which are compiled for each instruction set (simd/dispatch.hpp).
+// Implements the loops of GridSweep over all boxes; they are compiled for each instruction set (simd/dispatch.hpp).
 #pragma once
 
 #include <bit>
@@ -13,7 +13,7 @@ namespace ecods {
 struct GridSweep::Loops {
     using Lanes = Vec<std::int32_t, 8>;
 
-    // Pointers to the rows of a cell.
+    // Points to the eight rows of a cell; names without a number are for the axis of the sweep.
     struct View {
         const std::int32_t *begin, *end, *begin_1, *end_1, *begin_2, *end_2, *slots, *firsts;
     };
@@ -30,9 +30,10 @@ struct GridSweep::Loops {
 
     static constexpr std::int32_t first_of_both = 3;
 
-    // Appends the pairs among the collected hits, except pairs for which another cell is the first that both boxes
-    // reach. Each pass takes one pair of each hit and keeps the hits with more: an inner loop over the bits of a hit
-    // would mispredict its end, which costs more than the work of a pair.
+    // Appends to `found` the overlapping pairs among the collected hits, `noted`, of a cell, except pairs that another
+    // cell reports, the first cell that both boxes reach. Each pass takes one pair of each hit and keeps the hits that
+    // have more pairs: an inner loop over the bits of a hit would mispredict its end, which costs more than the work
+    // for a pair.
     [[gnu::noinline]] static void take(std::span<Hits> noted, const View& cell, std::span<const PackedBox> lines,
                                        std::vector<std::array<SlotIndex, 2>>& found) {
         for (std::size_t left = 0, count = noted.size(); count != 0; count = std::exchange(left, 0)) {
@@ -59,7 +60,7 @@ struct GridSweep::Loops {
         }
     }
 
-    // Returns false if most tests found nothing.
+    // Sweeps all cells and appends their pairs to `found`. Returns false if it gave up, since most tests found nothing.
     ECODS_ALWAYS_INLINE static bool sweep(GridSweep& self, std::span<const PackedBox> lines, Work& work,
                                           std::vector<std::array<SlotIndex, 2>>& found) {
         for (const Cell& cell : self.cells_) {
@@ -69,15 +70,15 @@ struct GridSweep::Loops {
         return true;
     }
 
-    // Tests each box against the boxes that begin with it or after it, and before it ends. On the other axes, two boxes
-    // are apart if one begins after the other ends.
+    // Tests each box of a cell against the boxes that come later in the order of the sweep and begin before it ends. On
+    // the other two axes, two boxes are apart if one begins after the other ends. Returns false if it gave up.
     ECODS_ALWAYS_INLINE static bool sweep_cell(const View& cell, std::uint32_t count, std::vector<Hits>& hits,
                                                std::span<const PackedBox> lines, Work& work,
                                                std::vector<std::array<SlotIndex, 2>>& found) {
         constexpr std::uint32_t width = lane_count<Lanes>;
         static_assert(width <= padding);
-        // Hits are processed between two boxes, once there are enough. A branch on whether eight boxes have hits would
-        // cost more than the tests, as it is unpredictable.
+        // Processes the hits between two boxes, once there are at least `enough`. A branch for each eight boxes that
+        // asks if there are hits would cost more than the tests, as it is unpredictable.
         constexpr std::size_t enough = 512;
         if (hits.size() < enough + count / width + 1) hits.resize(enough + count / width + 1);
         Hits* const noted = hits.data();

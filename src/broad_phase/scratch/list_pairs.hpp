@@ -15,20 +15,20 @@
 
 namespace ecods {
 
-// Scratch that is kept for the next list.
+// Holds scratch memory that list_each_pair() reuses.
 struct ListingMemory {
     struct Next {
-        std::uint32_t first = 0, second = 0;  // places of the next pair that has this number as its first, or second
+        std::uint32_t first = 0, second = 0;  // places of the next pair that has this number first, or second
     };
     std::vector<Next> next;  // indexed by number
     ProxyPairs by_second;
 };
 
-// Sets `list` to the pairs that for_each(visit) passes to visit(a, b), ascending; it must pass the same pairs each
-// time. Numbers are below `end`. Cost: proportional to pairs and numbers.
+// Sets `list` to the pairs that for_each(visit) passes to visit(a, b), ascending. Calls for_each twice; it must pass
+// the same pairs both times. All numbers must be less than `end`. Cost: proportional to `end` and the number of pairs.
 //
-// Sorts by counting, first by the second numbers and then by the first ones. Sorting the few pairs of each first number
-// by comparisons costs more, since their outcome is unpredictable.
+// Uses two counting sorts, first by the second numbers and then by the first numbers. Sorting the few pairs of each
+// first number by comparisons costs more, since the outcome of the comparisons is unpredictable.
 template <class ForEach>
 void list_each_pair(const ForEach& for_each, std::size_t end, ProxyPairs& list, ListingMemory& memory) {
     auto& [next, by_second] = memory;
@@ -46,7 +46,8 @@ void list_each_pair(const ForEach& for_each, std::size_t end, ProxyPairs& list, 
     for_each([&, &next = next, &by_second = by_second](ProxyIndex a, ProxyIndex b) {
         by_second[next[std::max(a, b)].second++] = ordered_pair(a, b);
     });
-    // Frees first, since nothing needs to be copied, and reserves more, since the next list is mostly a little longer.
+    // Frees the old memory first, since nothing in it is needed, and reserves a little more, since the next list is
+    // mostly a little longer.
     if (list.capacity() < by_second.size()) {
         release(list);
         list.reserve(by_second.size() + by_second.size() / 16);

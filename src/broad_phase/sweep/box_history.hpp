@@ -18,7 +18,7 @@ class BoxHistory {
         before_.reserve(count);
     }
 
-    // Copies the present boxes of these proxies from the table.
+    // Sets now() of these proxies to their boxes in the table.
     void advance(std::span<const ProxyIndex> proxies, const ProxyTable& table) {
         if (now_.size() < table.end()) {
             now_.resize(table.end());
@@ -26,7 +26,7 @@ class BoxHistory {
         }
         for (const ProxyIndex proxy : proxies) now_[proxy] = key_box(table.boxes()[proxy]);
     }
-    // Ends an update: the boxes of these proxies become the boxes of the last update.
+    // Ends an update: sets before() of these proxies to now().
     void settle(std::span<const ProxyIndex> proxies) {
         for (const ProxyIndex proxy : proxies) before_[proxy] = now_[proxy];
     }

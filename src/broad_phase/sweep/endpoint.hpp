@@ -1,4 +1,4 @@
-// The ends of boxes on one axis.
+// Represents the ends of boxes on an axis, in a total order.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace ecods {
 
-// The end of a box on an axis. Ends are totally ordered: by coordinate; at equal coordinates a minimum before a
-// maximum, since boxes are closed; then by proxy. So the order of a list is a function of the boxes alone, and binary
-// search finds an end.
+// Holds one end of a box on an axis; `key` is the coordinate as an integer with the same order. Ends are totally
+// ordered: by coordinate; at equal coordinates a minimum before a maximum, since boxes are closed; then by proxy. So
+// the order of a list is a function of the boxes alone, and binary search finds an end.
 struct Endpoint {
     static constexpr std::uint32_t max_bit = std::uint32_t{1} << 31;
 
@@ -27,7 +27,7 @@ struct Endpoint {
     }
 };
 
-// The ends of all boxes on one axis, ascending.
+// Lists the ends of all boxes on one axis, ascending.
 using EndpointList = std::vector<Endpoint>;
 
 inline Endpoint min_end(const KeyBox& box, ProxyIndex proxy, int axis) noexcept {

@@ -6,8 +6,8 @@
 namespace ecods {
 namespace {
 
-// Appends the pair of two ends that changed order if it began or ended. `left` is now before `right`, and was not
-// before.
+// Appends the pair of two boxes to state.began or state.ended if the pair began or ended. One end is a minimum, the
+// other a maximum, and they have changed order: `left` now comes before `right`.
 void judge_swap(const Endpoint& left, const Endpoint& right, SortState& state) {
     const ProxyIndex a = left.proxy();
     const ProxyIndex b = right.proxy();
@@ -19,7 +19,7 @@ void judge_swap(const Endpoint& left, const Endpoint& right, SortState& state) {
     }
 }
 
-// Inserts ends[i] into the sorted ends before it.
+// Inserts ends[i] into the sorted ends before it, and tests the pairs of a minimum and a maximum that change order.
 void sink(EndpointList& ends, std::size_t i, SortState& state) {
     const Endpoint end = ends[i];
     const std::size_t start = i;
@@ -47,8 +47,8 @@ bool sort_all(EndpointList& ends, int axis, SortState& state) {
     return true;
 }
 
-// Finds the positions of the ends of the moved boxes. This must be done before the first coordinate changes, since
-// binary search needs a sorted list.
+// Sets state.positions to the positions of the ends of the moved boxes, ascending. Call it before the first coordinate
+// changes, since binary search needs a sorted list.
 void find_positions(const EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state) {
     state.positions.clear();
     for (const ProxyIndex proxy : moved) {
@@ -67,8 +67,9 @@ bool sort_some(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, 
     std::size_t sorted = 0;  // ends before this position are sorted
     for (const std::uint32_t position : state.positions) {
         if (position < sorted) continue;
-        // Ends up to here kept their order. From here on each end may have to pass an end that grew. The first end that
-        // need not and did not change itself stands for all ends behind it.
+        // Ends before `position` are sorted. Inserts the changed end at `position`, and then each further end that is
+        // out of order with the end before it. At the first end that is in order the loop stops: the ends behind it are
+        // sorted up to the next changed position.
         sorted = position;
         do {
             sink(ends, sorted, state);

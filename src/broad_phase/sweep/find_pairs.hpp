@@ -10,15 +10,17 @@
 
 namespace ecods {
 
-// Appends the overlapping pairs with at least one proxy in `chosen`, in no order, each once. All chosen proxies must be
-// present. Returns the number of box tests. Cost: sorting the chosen into trees, and a query for each box present.
+// Appends to `found` the overlapping pairs with at least one proxy in `chosen`, each once, in no order. All chosen
+// proxies must be present. Returns the number of box tests. Cost: building trees of the chosen boxes, and a query for
+// each box present.
 std::uint64_t find_pairs_of(std::span<const ProxyIndex> chosen, const ProxyTable& table, ProxyPairs& found);
 
-// Sets the events of an update to the differences between the kept pairs and all pairs that overlap now.
+// Finds all pairs that overlap now, and sets update.events to their differences from the keeper's pairs.
 void update_from_scratch(const FindingUpdate& update);
 
-// Trees of boxes that replace the boxes of the proxies in `chosen`, each listed once. Both lists must outlive the
-// object. Its functions append pairs and return the number of box tests.
+// Holds trees of `boxes`, which the proxies in `chosen` have in a search instead of their own boxes. Each proxy is
+// listed once. Both lists must outlive the object. The functions that find pairs append them to `found` and return the
+// number of box tests.
 class ChosenBoxes {
   public:
     ChosenBoxes(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes);
@@ -26,12 +28,12 @@ class ChosenBoxes {
     std::uint64_t find_pairs_among(ProxyPairs& found) const;
     std::uint64_t find_pairs_with_others(const ProxyTable& table, ProxyPairs& found) const;
 
-    // Returns a mark for each proxy below `end`: 1 if it is chosen.
+    // Returns a mark for each proxy less than `end`: 1 if the proxy is chosen, otherwise 0.
     std::vector<std::uint8_t> marks(ProxyIndex end) const;
 
   private:
     std::span<const ProxyIndex> chosen_;
-    BoxForest forest_;  // slots are places in `chosen`
+    BoxForest forest_;  // slots are indices in chosen_
 };
 
 }  // namespace ecods

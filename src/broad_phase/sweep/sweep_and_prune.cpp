@@ -14,12 +14,12 @@
 namespace ecods {
 namespace {
 
-// Removes the ends of the removed proxies. Cost: one pass, however many there are.
+// Removes the ends of the removed proxies from the list. Cost: one pass.
 void remove_ends(EndpointList& ends, const ProxyTable& table) {
     std::erase_if(ends, [&](const Endpoint& end) { return table.is_removed(end.proxy()); });
 }
 
-// Merges the ends of the added proxies into a sorted list. Cost: sorting them, and one pass.
+// Merges the ends of the added proxies into a sorted list. Cost: sorting these ends, and one pass over the list.
 void insert_ends(EndpointList& ends, int axis, std::span<const ProxyIndex> added, const BoxHistory& boxes) {
     const auto old_count = static_cast<std::ptrdiff_t>(ends.size());
     for (const ProxyIndex proxy : added) {
@@ -67,12 +67,13 @@ void SweepAndPrune::update(const FindingUpdate& update) {
     boxes_.settle(changes.added);
 }
 
-// Sorts the lists, and returns true if all changes of pairs were found. If not, the lists are sorted nevertheless.
+// Sorts the three lists and appends events to update.events. Returns false if events are missing because the boxes
+// moved too far; the lists are sorted even then.
 bool SweepAndPrune::sort_axes(const FindingUpdate& update) {
     const std::span<const ProxyIndex> moved = update.changes.moved;
     if (moved.empty()) return true;
-    // When boxes jump, their ends pass a large part of a list each, and starting from scratch is cheaper: sorting the
-    // lists and finding the pairs from scratch cost about as much as this number of swaps for each end of one list.
+    // When boxes jump, each end passes a large part of a list, and starting from scratch is cheaper: sorting the lists
+    // and finding the pairs from scratch cost about as much as this number of swaps for each end of one list.
     constexpr std::uint64_t swaps_per_end_max = 128;
     SortState state{.boxes = boxes_,
                     .began = update.events.began,

@@ -1,4 +1,4 @@
-// The ECoDS report's broad phase: three lists of box ends, kept sorted.
+// Implements the broad phase of the ECoDS report: keeps three lists of box ends sorted.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace ecods {
 
-// The report keeps for each pair of boxes the number of axes on which they overlap. Here that number follows from the
-// boxes of the last update and of this one, so memory is needed for boxes only, and none for pairs.
+// The report keeps, for each pair of boxes, the number of axes on which the two overlap. This class does not: it tests
+// the boxes of the last update and of this one when their ends swap, so it needs memory for boxes only, none for pairs.
 class SweepAndPrune final : public PairFinder {
   public:
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;

@@ -1,6 +1,6 @@
-// Computes two posed trees on the face normals of both at once: AxesOf in registers of eight doubles. The first four
-// lanes hold the set of a's normals, the last four that of b's. Poses must be rotations, up to rounding, and numbers
-// within their limits. Text of bvh/axes/separating_axes.cpp for AVX-512.
+// Source that bvh/axes/separating_axes.cpp includes for AVX-512. It projects two posed trees on the face normals of
+// both at once: AxesOf in registers of eight doubles. The first four lanes are for the set of a's normals, and the last
+// four for the set of b's. Poses must be rotations, up to rounding, and numbers within their limits.
 
 ECODS_ALWAYS_INLINE Matrix<Double8> transpose(const Matrix<Double8>& m) noexcept {
     const Double8 low = even_lanes(m.column[0], m.column[1]);
@@ -54,11 +54,12 @@ ECODS_ALWAYS_INLINE AxesOf<Double8> axes_of_both(const EdgesOf<Double8>& edges, 
     return {N, N * edges.edges, edges, swapped(edges), between + d, absolute(d)};
 }
 
-// The boxes that find_axis tests, with both sets computed at once, for trees whose P is the identity but for rounding.
+// Provides the tests that find_axis() calls, with both sets computed at once. For both trees P must be the identity, up
+// to rounding.
 struct BothBoxes {
     const AxesOf<Double8>& axes;
     RootBox root_a, root_b;
-    Double8 other_half;   // reach of the box whose normals these are not
+    Double8 other_half;   // reach of the box of the other tree, whose normals the axes are not
     std::uint32_t faces;  // bits of the normals that separate the roots: 0 to 2 for a's, 4 to 6 for b's
 
     ECODS_ALWAYS_INLINE BothBoxes(const AxesOf<Double8>& of, const MeshBvh& a, const MeshBvh& b) noexcept

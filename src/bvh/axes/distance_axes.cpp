@@ -23,7 +23,7 @@ void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
         unit_ = call_widest<ECODS_OF_EACH_SET(bind_distance_sets)>(sets_, a, b, d);
         return;
     }
-    // Nothing is known about the nodes of a tree without bounds.
+    // Nothing is known about the nodes of an unbounded tree, so no pair is excluded.
     unit_ = 1;
     for (DistanceSet& set : sets_) {
         set = {};
@@ -31,7 +31,8 @@ void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
     }
 }
 
-// The factor 1 + 2^-48 covers four roundings of u' each.
+// 1 + 2^-48 covers four roundings of u' each.
+// Claim: verify/proofs/small_bounds.py
 float DistanceAxes::square_above(double distance) const noexcept {
     const double x = distance / unit_;
     return round_up(x * x * (1 + 0x1p-48) + least_square);
@@ -42,7 +43,7 @@ double DistanceAxes::distance_below(float square) const noexcept {
     return certain > 0 ? std::sqrt(certain) * (1 - 0x1p-48) * unit_ : 0;
 }
 
-// The errors are those of triangle_bounds.cpp: 9 E, and 4 v of the length. Underflow of the square is below E.
+// The errors are derived in triangle_bounds_text.hpp: 9 E, and 4 v of the length. Underflow of the square is below E.
 double DistanceAxes::distance_above(float square) const noexcept {
     const DistanceSet& set = sets_[0];
     const auto& errors = set.axes.point_error;

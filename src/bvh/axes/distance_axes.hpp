@@ -1,21 +1,22 @@
-// Lower bounds of distances between the nodes of two posed trees, for any two affine poses.
+// DistanceAxes computes lower bounds of distances between the nodes of two posed trees, for any two affine poses.
 //
-// Distances are squared and in units of a power of two, about the size of the larger tree in the world, so that they
-// are floats whatever the poses scale by. As in separating_axes.hpp, both trees are projected to two sets of axes N,
-// one for the directions of each tree's boxes; here the rows of N must be nearly orthogonal and of one length, since
+// Distances are squared and in units of a power of two, about the size of the larger tree in the world: so they are in
+// the range of floats for any poses. As in separating_axes.hpp, both trees are projected to two sets of axes N, one for
+// the directions of each tree's boxes. Here the rows of N must be nearly orthogonal and of nearly one length, because
 //     |x| >= |N x| / sqrt(largest eigenvalue of N N^T),
-// and the gaps of boxes on the three axes then give a distance. If a pose is no similarity (it stretches, shears, or
-// flattens), the axes are those of the world, and both trees' boxes are projected.
+// so the gaps of boxes on the three axes give a lower bound of their distance. If a pose is not a similarity (it
+// stretches, shears, or flattens), the axes are those of the world, and both trees' boxes are projected.
 //
-// Bound. Ends of boxes have the margins of separating_axes.hpp. Errors from here on are relative, v = 2^-23: a gap is a
-// difference of ends (v, its square 2 v), squares, two sums and the factor `square` v each: below 7 v. For slabs the
-// normal's length is at most 1 + 2^-22, its square 1 + 2^-21. `square` is smaller than the real factor by 2^-18, which
-// covers these errors. With u' = 2^-52, K = N N^T / factor and tau the largest row sum of |K - I|, the largest
-// eigenvalue of N N^T is at most factor (1 + tau) (Gershgorin); K as computed is off by 6 u', and the axes as used by
-// 2^-170: 2^-40 is added to tau.
-// Underflow: a mode that rounds up makes squares larger by 2^-149 each, products by as much; with `square` below 2^5
-// that is below 2^-140, and limits, which squares are compared with, are raised by 2^-120. Overflow: the sums s are
-// required to be below 2^55, otherwise the margin is infinite, and gaps are 0, as they are for NaN.
+// Bound. Ends of boxes have the margins of separating_axes.hpp. Errors from here on are relative, with v = 2^-23. A gap
+// is a difference of ends (v, its square 2 v); squares, two sums and the factor `square` have v each: together below 7
+// v. For slabs the normal's length is at most 1 + 2^-22, its square 1 + 2^-21. `square` is smaller than the real factor
+// by 2^-18, which covers these errors. With u' = 2^-52, K = N N^T / factor and tau the largest row sum of |K - I|, the
+// largest eigenvalue of N N^T is at most factor (1 + tau) (Gershgorin). K as computed is off by 6 u', and the axes as
+// used by 2^-170: 2^-40 is added to tau.
+// Underflow: a mode that rounds up makes squares larger by 2^-149 each, and products by as much. With `square` below
+// 2^5 the sum of these is below 2^-140, and limits, with which squares are compared, are raised by 2^-120. Overflow:
+// the sums s are required to be below 2^55. Otherwise the margin is infinite, and gaps are 0, as they are for NaN.
+// Claim: verify/proofs/small_bounds.py
 #pragma once
 
 #include <array>
@@ -28,29 +29,30 @@ namespace ecods {
 
 struct DistanceSet {
     AxisSet axes;
-    // Factors of the squared length of a vector on the axes: with `square` the product is at most the square of the
-    // vector's length in units; with `square_up` at least.
+    // Factors of the squared length of a vector on the axes. The product with `square` is a lower bound of the squared
+    // length of the vector in units; the product with `square_up` is an upper bound.
     float square;
     float square_up;
 };
 
 class DistanceAxes {
   public:
-    // `d` is fl(t_b - t_a).
+    // Binds two posed trees; `d` is fl(t_b - t_a).
     void bind(const PosedTree& a, const PosedTree& b, const Vec3& d);
 
     const std::array<DistanceSet, 2>& sets() const noexcept { return sets_; }
 
-    // Returns the power of two by which distances in units are multiplied to get distances in the world.
+    // Returns the unit, a power of two: a distance in units times unit() is a distance in the world.
     double unit() const noexcept { return unit_; }
 
-    // Returns an upper bound of the square of `distance` in units (`distance` >= 0; infinity gives infinity), and a
-    // lower bound of the distance whose square in units is `square`.
+    // square_above() returns an upper bound of the squared `distance`, converted to units. `distance` must be >= 0, and
+    // may be infinity. distance_below() returns a lower bound of the distance in the world whose square in units is
+    // `square`.
     float square_above(double distance) const noexcept;
     double distance_below(float square) const noexcept;
 
-    // Returns an upper bound of the distance of two points of two triangles, from their squared distance on the first
-    // set's axes as computed (bvh/masks/triangle_bounds.hpp).
+    // Returns an upper bound of the distance of two points, one of each of two triangles. `square` is their squared
+    // distance on the first set's axes as computed (bvh/masks/triangle_bounds.hpp).
     double distance_above(float square) const noexcept;
 
   private:
@@ -58,18 +60,18 @@ class DistanceAxes {
     double unit_ = 1;
 };
 
-// A vector on the axes of the first set: zero, or of a length of one or slightly less.
+// A vector on the axes of the first set. It is zero, or its length is one or slightly less.
 using Direction = std::array<float, 3>;
 
-// Returns a mask of the pairs of lanes, of nodes or leaves, whose squared distance is not proven to exceed `limit`, in
-// the layout of overlap_mask, and sets lower bounds of these squared distances. `limit` is finite or infinity. The
-// bounds hold for any `n`, and are best if `n` is about the direction from the first body's closest point to the
-// second's.
+// Returns a mask of the pairs of lanes whose squared distance is not proven to exceed `limit`; bit 8 j + i is for lane
+// i of x and lane j of y. Sets `squares` to lower bounds of the squared distances of these pairs. `limit` may be
+// infinity. The bounds hold for any `n`. They are best if `n` is about the direction from the first body's closest
+// point to the second's.
 template <class X, class Y>
 std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const X& x, const Y& y,
                         LaneBounds& squares) noexcept;
 
-// A pair of lanes whose boxes or triangles are near each other, by a heuristic: a search starts there.
+// A pair of lanes, one of each tree.
 struct LanePair {
     std::size_t i;  // lane of the first tree
     std::size_t j;

@@ -1,9 +1,9 @@
-// Text of bvh/axes/distance_axes.cpp, compiled for each instruction set.
+// Source that bvh/axes/distance_axes.cpp includes once for each instruction set.
 
-inline constexpr double tau_max = 0x1p-7;     // with larger tau, bounds would suffer
-inline constexpr double square_max = 0x1p55;  // for coordinates that are squared
+inline constexpr double tau_max = 0x1p-7;     // with a larger tau, bounds would be too loose
+inline constexpr double square_max = 0x1p55;  // upper bound of coordinates that are squared
 
-// Returns the largest power of two that is at most x, clamped to 2^-900 .. 2^900; 1 for 0.
+// Returns the largest power of two that is at most x, clamped to [2^-900, 2^900]; 1 if x is 0.
 ECODS_ALWAYS_INLINE double power_of_two(double x) noexcept {
     if (!(x > 0)) return 1;
     const double clamped = std::min(std::max(x, 0x1p-900), 0x1p900);
@@ -14,16 +14,15 @@ ECODS_ALWAYS_INLINE Matrix4 operator*(const Matrix4& m, double x) noexcept {
     return {{m.column[0] * x, m.column[1] * x, m.column[2] * x}};
 }
 
-// Nearly orthogonal axes in units of the search, and their length: the eigenvalues of N N^T are from factor / (1 + tau)
-// to factor (1 + tau).
+// Nearly orthogonal axes N, in units. The eigenvalues of N N^T are between factor / (1 + tau) and factor (1 + tau).
 struct EvenAxes {
     Matrix4 N;
     double factor;
     double tau;
 };
 
-// Returns the normals of the faces of `own` if they are nearly orthogonal and of one length, otherwise the axes of the
-// world.
+// Returns the face normals of a box with the edges `own`, if they are nearly orthogonal and of nearly one length;
+// otherwise the axes of the world.
 ECODS_ALWAYS_INLINE EvenAxes even_axes(const Matrix4& own, const Matrix4& other) noexcept {
     const Matrix4 N = axes_of(own, other);
     const Matrix4 rows = transpose(N);
@@ -42,7 +41,7 @@ ECODS_ALWAYS_INLINE void bind_set(DistanceSet& set, const EvenAxes& even, const 
                                   Double4 d, Own own, double unit) noexcept {
     const DoubleAxes exact(even.N * (1 / unit), edges_a, edges_b, d, own);
     set_floats(set.axes, exact);
-    // The comparison is false for NaN, which therefore counts as unbounded.
+    // If the sum is NaN, the comparison is false, and the set becomes unbounded.
     if (!(sum(exact.s) < square_max)) {
         set.axes.set_unbounded();
     }

@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// The axis n between the centers, as a row of N.
+// The trees projected on one axis n, along the vector between their centers. n is a row of N.
 struct FarRow {
     double length;
     double a[3], b[3];
@@ -26,8 +26,8 @@ namespace {
 
 using namespace axes;
 
-// The least distance of far trees, in units (about the size of the larger tree). Beyond it ranks leave fewer pairs than
-// squared distances do, as counted; the choice affects nothing but the work.
+// The least distance of far trees, in units (about the size of the larger tree). Measured counts: beyond it ranks leave
+// fewer pairs than squared distances do. The value affects only the work, not the results.
 constexpr double far_min = 0x1p9;
 constexpr double unit_max = 0x1p400;
 
@@ -59,7 +59,7 @@ float FarGap::rank_above(double distance) const noexcept {
     const double at = length_ * (distance / unit_) * (1 + 0x1p-48);
     const double rank = ((at - gap_) + own) + margin_;
     const double rounding = 0x1p-49 * (((at + std::abs(gap_)) + own) + margin_);
-    // No rank is above 3 reach, but for rounding.
+    // No rank is above 3 reach, up to rounding, so a limit of 4 reach + 1 excludes no pair.
     const double all = 4 * own + 1;
     return round_up(std::min(std::max(rank + rounding, 0.0), all));
 }

@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// The axes N, the map P of the tree to them, and the sums of magnitudes that enter the bounds.
+// The axes N, the map P of the tree to these axes, and the sums of magnitudes that the bounds need.
 struct LineBound {
     alignas(32) double N[3][4], P[3][4];  // by columns
     alignas(32) double size[4], origin[4], origin_size[4];
@@ -27,10 +27,10 @@ namespace ecods {
 namespace {
 
 constexpr double float_v = 0x1p-23;
-constexpr double error_max = 0x1p-6;  // with larger errors, boxes prune little
+constexpr double error_max = 0x1p-6;  // with larger errors, few boxes are excluded
 constexpr double box_error_max = 0x1p-19;
 constexpr double direction_error_max = 0x1p-20;
-constexpr double scaled_direction_min = 0x1p-960;  // least |D|, so that its inverse does not overflow
+constexpr double scaled_direction_min = 0x1p-960;  // least |D| whose inverse does not overflow
 constexpr double length_min = 0x1p-900;            // least s1 - s0
 constexpr float direction_min = 0x1p-30f;
 constexpr double own_distance_max = 0x1p-40;
@@ -83,14 +83,14 @@ void LineAxes::bind(const MeshBvh& tree, const Pose& pose) {
             part_.size[k][row] = std::abs(part_.p[k][row]);
         }
     }
-    // The comparisons are false for NaN, which therefore counts as unbounded.
+    // If a number is NaN, its comparison is false, and the tree counts as unbounded.
     s.is_bounded = world < axes::world_max && s.factor < axes::factor_max;
     for (std::size_t row = 0; row < 3; ++row) s.is_bounded = s.is_bounded && std::abs(s.center[row]) + s.half[row] < 4;
 }
 
 namespace {
 
-// Returns the interval of s within [0, limit] in which s d is from `low` to `high`.
+// Returns the interval of s in [0, limit] in which s d is between `low` and `high`.
 std::pair<double, double> ends_within(double low, double high, double d, double limit) noexcept {
     const double inverse = 1 / d, first = low * inverse, second = high * inverse;
     return {std::max(0.0, std::min(first, second)), std::min(limit, std::max(first, second))};
@@ -122,7 +122,7 @@ LineAxes::Place LineAxes::place(const ScaledLine& line, double limit) {
         if (std::abs(D[row]) > std::abs(D[m])) m = row;
     }
     const double size_m = std::abs(D[m]), reach_of_line = std::abs(X[m]) + 8;
-    // The comparisons are false for NaN, which therefore makes the place unknown.
+    // If a number is NaN, its comparison is false, and the place is unknown.
     bool is_placed = (factor + 4) * s.factor < axes::factor_max && s.factor < axes::factor_max;
     for (std::size_t row = 0; row < 3; ++row) {
         if (!line.is_point) {
@@ -201,7 +201,7 @@ bool LineAxes::place_box(const Vec3& low, const Vec3& high, BoxOnAxes& box) cons
         half[k] = 0.5 * (to - from) + 4 * two_u * x_size[k];
         factor += x_size[k];
     }
-    // The comparisons are false for NaN, which therefore makes the place unknown.
+    // If a number is NaN, its comparison is false, and the box is not placed.
     bool is_placed = (factor + 4) * s.factor < axes::factor_max;
     for (std::size_t row = 0; row < 3; ++row) {
         const auto &N = s.N[row], &size = s.N_size[row];

@@ -1,4 +1,4 @@
-// Text of bvh/axes/line_axes.cpp, compiled for each instruction set.
+// Source that bvh/axes/line_axes.cpp includes once for each instruction set.
 
 [[gnu::noinline]] inline void bind_line_axes(const MeshBvh& tree, const Mat3& R, LineBound& bound) noexcept {
     const Edges edges(tree.frame, R);

@@ -11,7 +11,7 @@ void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_fr
     if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) {
         return call_widest<ECODS_OF_EACH_SET(bind_motion_sets)>(sets_, a, b, d_from, d_to);
     }
-    // A tree without bounds is never apart from anything.
+    // An unbounded tree is never proven apart from anything.
     for (MotionSet& set : sets_) {
         set = {};
         set.start.set_unbounded();

@@ -1,15 +1,18 @@
-// Finds which nodes of two trees may meet while both bodies move on straight lines from one pose to another, and the
-// earliest time at which they may.
+// MotionAxes bounds the times at which nodes of two trees may meet while both bodies move on straight lines from one
+// pose to another.
 //
 // For a fixed axis n the gap between two boxes (or triangles), min n . q - max n . p, is a concave function of time:
-// each corner moves linearly, so that the minimum is one of linear functions. Between two times it is therefore at
-// least its chord. So boxes whose gap is positive at both times are apart throughout; if the gap is positive at one of
-// the times, they are apart from there to the chord's zero. The times that several axes, each in both directions, leave
-// over may have none in common. Half-way between its poses a body is the mean of both, with n the same: so chords are
-// loose only by how much boxes turn, times their own size, and that is least for small boxes.
+// each corner moves linearly, so the minimum is concave and the maximum convex. Between two times the gap is therefore
+// at least its chord. So boxes whose gap is positive at both times are apart at all times between. If the gap is
+// positive at only one of the times, the boxes are apart from that time to the chord's zero. Several axes, each in both
+// directions, may leave no time at which the boxes can meet. Half-way between its poses a body is the mean of both, on
+// the same axes. So chords are loose only by the angle by which boxes turn, times their own size, and that is least for
+// small boxes.
 //
-// The sets are those of separating_axes.hpp, with its bounds, each twice: for the poses at the start and at the end, on
-// the same axes. Coordinates are relative to the first body's translation, which moves linearly, too.
+// The sets of axes are those of separating_axes.hpp, with its bounds. Each set exists twice, with the same axes: for
+// the poses at the start and at the end. Coordinates are relative to the first body's translation, which moves
+// linearly, too.
+// Claim: verify/proofs/motion_chords.md
 #pragma once
 
 #include <array>
@@ -19,21 +22,21 @@
 
 namespace ecods {
 
-// A tree and the linear parts of the two poses that it moves between, by reference.
+// Refers to a tree and to the linear parts of the two poses between which it moves.
 struct MovingTree {
     const MeshBvh& tree;
     const Mat3& from;
     const Mat3& to;
 };
 
-// Three axes at both ends of the motion.
+// The trees on three axes, at the start and at the end of the motion.
 struct MotionSet {
     AxisSet start, end;
 };
 
 class MotionAxes {
   public:
-    // The differences are fl(t_b - t_a) at the start and at the end.
+    // Binds two moving trees. d_from and d_to are fl(t_b - t_a) at the start and at the end.
     void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to);
 
     const std::array<MotionSet, 2>& sets() const noexcept { return sets_; }
@@ -42,8 +45,8 @@ class MotionAxes {
     std::array<MotionSet, 2> sets_;
 };
 
-// Returns a mask of the pairs of lanes that may meet at a time up to `limit`, in the layout of overlap_mask, and sets
-// for each of them a lower bound of the time at which they meet, which is not negative.
+// Returns a mask of the pairs of lanes that may meet at a time up to `limit`; bit 8 j + i is for lane i of x and lane j
+// of y. Sets `times` to lower bounds, not negative, of the times at which these pairs meet.
 template <class X, class Y>
 std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, const X& x, const Y& y,
                            LaneBounds& times) noexcept;

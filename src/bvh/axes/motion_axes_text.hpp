@@ -1,4 +1,4 @@
-// Text of bvh/axes/motion_axes.cpp, compiled for each instruction set.
+// Source that bvh/axes/motion_axes.cpp includes once for each instruction set.
 
 ECODS_ALWAYS_INLINE Matrix4 middle(const Edges& start, const Edges& end) noexcept {
     Matrix4 result;
@@ -6,7 +6,7 @@ ECODS_ALWAYS_INLINE Matrix4 middle(const Edges& start, const Edges& end) noexcep
     return result;
 }
 
-// Binds the sets to the normals of either tree's boxes half-way through the motion.
+// Binds the first set to the face normals of a's boxes, and the second to those of b's, half-way through the motion.
 [[gnu::noinline]] inline void bind_motion_sets(std::array<MotionSet, 2>& sets, const MovingTree& a, const MovingTree& b,
                                                const Vec3& d_from, const Vec3& d_to) noexcept {
     const Edges a_from(a.tree.frame, a.from), a_to(a.tree.frame, a.to);

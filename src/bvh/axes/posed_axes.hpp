@@ -1,6 +1,6 @@
-// Posed trees on three axes, in doubles and in floats, with the bounds that separating_axes.hpp derives: one set of
-// axes in registers of four doubles, or two sets side by side in registers of eight, by the same operations in the same
-// order.
+// Posed trees are projected to three axes, in doubles and in floats, with the bounds that separating_axes.hpp derives.
+// One set of axes is computed in registers of four doubles, or two sets side by side in registers of eight, by the same
+// operations in the same order.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline constexpr double factor_max = 0x1p900;
 inline constexpr double world_max = 0x1p1000;
 inline constexpr double unit_distance_max = 0x1p-40;  // with larger distances, margins would grow too much
 
-// The tree whose face normals the axes are.
+// Names the tree whose face normals the axes are.
 enum class Own { a, b };
 
 }  // namespace ecods::axes

@@ -1,8 +1,8 @@
-// Text of bvh/axes/posed_axes.hpp, compiled for each instruction set.
+// Source that bvh/axes/posed_axes.hpp includes once for each instruction set.
 
 using namespace axes;
 
-// The type of a number for each body: one double, or two of them.
+// The type of one number for each body in V: double for one body, Double8 for two.
 template <class V>
 using NumberOf = decltype(sum(V{}));
 
@@ -13,15 +13,15 @@ ECODS_ALWAYS_INLINE bool are_below(double number, double limit) noexcept {
     return number < limit;
 }
 
-// The edges and the center of the trees' root frames in the world, with the sums that enter the bound.
+// The edges and the center of a tree's local frame in the world, and the sums that the bound needs.
 template <class V>
 struct EdgesOf {
     Matrix<V> edges;     // R map
     V size;              // |R| |map| 1
     V origin;            // R center
     V origin_size;       // |R| |center|
-    NumberOf<V> factor;  // upper bound of every number that a rounding error of these is multiplied by
-    NumberOf<V> scale;   // the frame's scale: a power of two, the length of the columns of map
+    NumberOf<V> factor;  // upper bound of all numbers by which a rounding error of these is multiplied
+    NumberOf<V> scale;   // the frame's scale: a power of two, the length of map's columns
 
     ECODS_ALWAYS_INLINE EdgesOf() noexcept {}
     ECODS_ALWAYS_INLINE EdgesOf(const Matrix<V>& R, const Matrix<V>& map, V map_size, V center, NumberOf<V> size_max,
@@ -42,7 +42,7 @@ struct Edges : EdgesOf<Double4> {
                   frame.scale) {}
 };
 
-// The box of a whole tree, in the tree's own coordinates.
+// The box of a tree's root, in the tree's own coordinates.
 struct RootBox {
     Double4 center, half;
 
@@ -53,9 +53,9 @@ struct RootBox {
                static_cast<double>(tree.root_half[2]), 0} {}
 };
 
-// Returns the normals of the faces of a box with the edges `own`, as rows, scaled so that the box is about [-1, 1] on
-// each. If the box is too flat for that, returns the axes of the world, scaled so that both boxes are about [-1, 1].
-// Any choice is sound.
+// Returns the face normals of a box with the edges `own`, as rows, scaled such that the box is about [-1, 1] on each.
+// If the box is too flat for that, returns the axes of the world, scaled such that both boxes are about [-1, 1]. All
+// axes are sound; these are good.
 ECODS_ALWAYS_INLINE Matrix4 axes_of(const Matrix4& own, const Matrix4& other) noexcept {
     const Double4 x = own.column[0], y = own.column[1], z = own.column[2];
     const Double4 yz = cross(y, z);
@@ -69,14 +69,14 @@ ECODS_ALWAYS_INLINE Matrix4 axes_of(const Matrix4& own, const Matrix4& other) no
     return {{Double4{factor, 0, 0, 0}, Double4{0, factor, 0, 0}, Double4{0, 0, factor, 0}}};
 }
 
-// Returns the distance of a matrix from the identity, by row.
+// Returns the sum of |m - I| over each row.
 ECODS_ALWAYS_INLINE Double4 distance_from_identity(const Matrix4& m) noexcept {
     return row_sums(Matrix4{{absolute(m.column[0] - Double4{1, 0, 0, 0}), absolute(m.column[1] - Double4{0, 1, 0, 0}),
                              absolute(m.column[2] - Double4{0, 0, 1, 0})}});
 }
 
-// Returns the axes of axes_of(), up to rounding, for a pose that only rotates, as nearly all do: the edges are then
-// orthogonal and of one length, so the normals lie along them, and no determinant is needed.
+// Returns what axes_of() returns, up to rounding, for a pose that is a rotation, as nearly all are. Then the edges are
+// orthogonal and of one length, so the normals are parallel to the edges, and no determinant is needed.
 template <class V>
 ECODS_ALWAYS_INLINE Matrix<V> normals_along(const EdgesOf<V>& edges) noexcept {
     const NumberOf<V> per_scale = 1 / edges.scale;
@@ -84,7 +84,7 @@ ECODS_ALWAYS_INLINE Matrix<V> normals_along(const EdgesOf<V>& edges) noexcept {
     return transpose(Matrix<V>{{normal(0), normal(1), normal(2)}});
 }
 
-// The normals of any box, and P of the tree that owns it.
+// The face normals N of a tree's box for any pose, and own = P = N R map of that tree.
 struct FaceNormals {
     Matrix4 N, own;
 
@@ -98,26 +98,26 @@ struct FaceNormals {
     }
 };
 
-// Three axes in doubles, or three for each of two trees.
+// Both trees on three axes in doubles; if V is Double8, on the normals of a in the low half and of b in the high half.
 template <class V>
 struct AxesOf {
-    Matrix<V> own, other;  // P of the tree whose normals the axes are, and of the other one
+    Matrix<V> own, other;  // P of the tree whose normals the axes are, and P of the other tree
     V offset, margin;
     V s, w;  // the sums s and w of separating_axes.hpp
-    V e;     // distance of the own P from the identity; 0 if P is not taken for it
+    V e;     // row sums of |P - I| for the own P if it is taken for the identity; otherwise 0
     bool is_unit;
     bool is_bounded;
 
     ECODS_ALWAYS_INLINE AxesOf() noexcept {}
-    // Sets the axes of trees at rest. `between` is the vector from the origin of a to that of b. `d_size` is at least
-    // |d|, and at least the sum of the magnitudes of the terms of d, up to one rounding.
+    // Sets the axes of trees at rest. `between` is the vector from the origin of a to the origin of b. `d_size` must be
+    // at least |d|, and at least the sum of the magnitudes of the terms of d, up to one rounding.
     ECODS_ALWAYS_INLINE AxesOf(const Matrix<V>& N, const Matrix<V>& own_P, const EdgesOf<V>& own_edges,
                                const EdgesOf<V>& other_edges, V between, V d_size) noexcept {
         set_sums(N, own_P, own_edges, other_edges, between, d_size);
         set_margin();
     }
 
-    // Sets the axes of trees that move by `path` on the axes, which is added to s as an offset is.
+    // Sets the axes of trees one of which moves. `path` is its motion on the axes; it is added to s, like an offset.
     ECODS_ALWAYS_INLINE AxesOf(const Matrix<V>& N, const EdgesOf<V>& own_edges, const EdgesOf<V>& other_edges,
                                V between, V d_size, V path) noexcept {
         set_sums(N, N * own_edges.edges, own_edges, other_edges, between, d_size);
@@ -140,7 +140,7 @@ struct AxesOf {
         const NumberOf<V> factor = ((own_edges.factor + other_edges.factor) + sum(d_size)) * sum(row_sums(N_size));
         e = distance_from_identity(own);
         is_unit = are_at_most(sum(e), unit_distance_max);
-        // The comparisons are false for NaN, which therefore counts as unbounded.
+        // If a number is NaN, its comparison is false, and the axes count as unbounded.
         is_bounded = are_below(sum(world), world_max) && are_below(sum(s), sum_max) && are_below(sum(w), sum_max) &&
                      are_below(factor, factor_max);
     }
@@ -151,7 +151,7 @@ struct AxesOf {
     }
 };
 
-// Both trees on the normals of one of them, or on any axes N.
+// Both trees on the normals of one of them (`own_tree`), or on any axes N.
 struct DoubleAxes : AxesOf<Double4> {
     Own own_tree = Own::a;
 
@@ -181,7 +181,7 @@ ECODS_ALWAYS_INLINE std::array<float, 4> to_floats(Double4 v) noexcept {
     return result;
 }
 
-// Stores the first three columns of the matrix with these four rows.
+// Stores the first three columns of the matrix whose rows are `rows`.
 ECODS_ALWAYS_INLINE void store_transposed(const Float4 (&rows)[4], std::array<std::array<float, 4>, 3>& first_three) {
     const Float4 low_01 = shuffle<0, 4, 1, 5>(rows[0], rows[1]), high_01 = shuffle<2, 6, 3, 7>(rows[0], rows[1]);
     const Float4 low_23 = shuffle<0, 4, 1, 5>(rows[2], rows[3]), high_23 = shuffle<2, 6, 3, 7>(rows[2], rows[3]);
@@ -190,8 +190,8 @@ ECODS_ALWAYS_INLINE void store_transposed(const Float4 (&rows)[4], std::array<st
     store_anywhere(first_three[2].data(), shuffle<0, 1, 4, 5>(high_01, high_23));
 }
 
-// Sets the projection from the columns of P and the shift. Sizes are those of the converted numbers, which differ from
-// the others by float_u.
+// Sets the projection from the columns of P and, as the fourth column, the shift. `size` has the magnitudes of the
+// converted numbers, which differ from the exact ones by a factor of float_u.
 ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Float4 (&columns)[4]) noexcept {
     for (std::size_t j = 0; j < 3; ++j) {
         store_anywhere(projection.p[j].data(), columns[j]);
@@ -203,7 +203,7 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Float4 (&c
     projection.is_unit = false;
 }
 
-// Sets the projection of a tree on its own normals, whose P is taken for the identity: only the shift is used.
+// Sets the projection of a tree on its own normals. P is taken for the identity, so only the shift is set.
 ECODS_ALWAYS_INLINE void set_unit_projection(Projection& projection, Float4 shift) noexcept {
     store_anywhere(projection.shift.data(), shift);
     for (std::size_t j = 0; j < 3; ++j) projection.row[j][3] = projection.shift[j];
@@ -218,11 +218,14 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P
                                 convert<Float4>(P.column[2]), float_shift});
 }
 
-// Rounds both trees' maps and margins to floats. The factor 1 + 2^-22 covers the rounding of the margins.
+// Sets `set` to both trees' maps and margins, rounded to floats. The factor 1 + 2^-22 covers the rounding of the
+// margins.
 //
-// The map to coordinates N x certainly is a bijection if N times the edges of the own tree's boxes is. As computed this
-// product is e from the identity, summed over a row, and its error is less than 7 u' w. A matrix whose rows are less
-// than one from the identity's is not singular.
+// is_bijective is set if the map to coordinates N x is certainly a bijection. It is if N times the edges of the own
+// tree's boxes is a regular matrix. As computed, the row sums of this product minus I are e, with an error of less than
+// 7 u' w. A matrix is regular if its rows differ from the identity's by less than one.
+// Claim: verify/proofs/posed_axes.py
+// Claim: verify/proofs/float_axes.py
 ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact) noexcept {
     const bool is_of_a = exact.own_tree == Own::a;
     set_projection(set.a, exact.a(), Double4{}, exact.is_unit && is_of_a);

@@ -33,7 +33,7 @@ int SeparatingAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, 
         return baseline::bind_axis_sets(sets_, a, b, d, first);
 #endif
     }
-    // A tree without bounds is never separated.
+    // An unbounded tree is never separated from another.
     for (AxisSet& set : sets_) {
         set = {};
         set.set_unbounded();

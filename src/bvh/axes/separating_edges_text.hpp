@@ -1,7 +1,8 @@
-// Text of bvh/axes/separating_axes.cpp, compiled for each instruction set, AVX-512 included.
+// Source that bvh/axes/separating_axes.cpp includes once for each instruction set, AVX-512 included.
 
-// Returns the number of a cross product of edges, out of nine, that separates the boxes, or -1. Edge i of a is tested
-// with the three of b at once. Edge i of a is the axis i, so a product has two coordinates, k = i + 1 and l = i + 2.
+// Returns the number, 0 to 8, of a cross product of edges that separates the boxes x and y; -1 if none does. Edge i of
+// a is tested with the three edges of b at once. Edge i of a is the axis i, so a cross product has only two coordinates
+// that are not zero, k = i + 1 and l = i + 2 (modulo 3).
 ECODS_ALWAYS_INLINE int separating_edges(const Matrix4& b, Double4 offset, Double4 margin, const RootBox& x,
                                          const RootBox& y) noexcept {
     const Matrix4 rows = transpose(b);
@@ -20,8 +21,8 @@ ECODS_ALWAYS_INLINE int separating_edges(const Matrix4& b, Double4 offset, Doubl
     return -1;
 }
 
-// Returns the axis on which both boxes have less than 2^-20 of their greatest extent, or -1. Triangles of flat trees
-// are separated by edges rather than by planes. Any answer is sound.
+// Returns the axis on which each box has at most 2^-20 of its greatest extent; -1 if there is none. Triangles of trees
+// that are flat on this axis are separated by edges and not by planes. Any result is sound.
 ECODS_ALWAYS_INLINE int find_flat_axis(Double4 x_half, Double4 y_half) noexcept {
     const double x_thin = 0x1p-20 * largest(x_half), y_thin = 0x1p-20 * largest(y_half);
     for (int axis = 0; axis < 3; ++axis) {
@@ -30,8 +31,9 @@ ECODS_ALWAYS_INLINE int find_flat_axis(Double4 x_half, Double4 y_half) noexcept 
     return -1;
 }
 
-// Returns the number of an axis that separates the roots, or sets the sets and returns -1. Tests the normals of b
-// before those of a, or the edges before the normals of b, if the axis `preferred` is one of them.
+// Returns the number of an axis that separates the roots; if none does, sets `sets` and returns -1. Tests the normals
+// of a first, then the normals of b, then the edges. If `preferred` is a normal of b, these are tested first; if it is
+// an edge, the edges are tested before the normals of b.
 template <class Boxes>
 ECODS_ALWAYS_INLINE int find_axis(Boxes& boxes, std::array<AxisSet, 2>& sets, int preferred) noexcept {
     int found = -1;

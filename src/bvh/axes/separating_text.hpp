@@ -1,7 +1,7 @@
-// Text of bvh/axes/separating_axes.cpp, compiled for each instruction set.
+// Source that bvh/axes/separating_axes.cpp includes once for each instruction set.
 
-// Returns the row of a face normal, out of three, that separates the boxes, or -1. `x` is the box of the tree that the
-// normals belong to, and `y` the other one.
+// Returns the row, 0 to 2, of a face normal that separates the boxes; -1 if none does. `x` is the box of the tree whose
+// normals these are, and `y` the box of the other one.
 ECODS_ALWAYS_INLINE int separating_face(const DoubleAxes& set, const RootBox& x, const RootBox& y,
                                         double sign) noexcept {
     const Double4 x_center = set.is_unit ? x.center : set.own * x.center;
@@ -14,7 +14,7 @@ ECODS_ALWAYS_INLINE int separating_face(const DoubleAxes& set, const RootBox& x,
     return -1;
 }
 
-// The boxes that find_axis tests, one set after the other, for any poses.
+// Provides the tests that find_axis() calls, with one set computed after the other, for any poses.
 struct SingleBoxes {
     const Edges edges_a, edges_b;
     const RootBox root_a, root_b;

@@ -32,7 +32,7 @@ bool SweptAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, cons
         length_ = window.end;
         return length_ > 0;
     }
-    // Nothing is known about the nodes of a tree without bounds.
+    // Nothing is known about the nodes of an unbounded tree, so no pair is excluded.
     start_ = 0;
     length_ = 1;
     for (SweptSet& set : sets_) {
@@ -42,7 +42,7 @@ bool SweptAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d, cons
     return true;
 }
 
-// Rounds up: 2^-48 covers three roundings, and next_up() the rounding of the time in the world.
+// The result is rounded up: 2^-48 covers three roundings, and next_up() the rounding of the time in the world.
 float SweptAxes::window_above(double time) const noexcept {
     const double at = (next_up(time) - start_) / length_;
     return round_up(std::min(std::max(at + std::abs(at) * 0x1p-48, 0.0), 1.0) + least_time);

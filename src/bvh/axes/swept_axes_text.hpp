@@ -1,6 +1,7 @@
-// Text of bvh/axes/swept_axes.cpp, compiled for each instruction set.
+// Source that bvh/axes/swept_axes.cpp includes once for each instruction set.
 
-// Narrows the window to the times at which the roots share points of all three axes. A NaN changes nothing.
+// Narrows the window to the times at which the roots' projections overlap on all three axes. A time that is NaN changes
+// nothing.
 ECODS_ALWAYS_INLINE void narrow(SweptWindow& window, const DoubleAxes& set, Double4 velocity, const RootBox& a,
                                 const RootBox& b) noexcept {
     const Double4 apart = (set.b() * b.center + set.offset) - set.a() * a.center;

@@ -1,9 +1,10 @@
-// Tests triangles of two leaves in registers of eight floats, any eight pairs at once: as a rule few of eight triangles
-// are near a given one, and a row for each of them would be mostly empty. Text of bvh/masks/overlap_mask.cpp for
-// processors that pick lanes by number and bits by mask (simd/wide.hpp).
+// Source that bvh/masks/overlap_mask.cpp includes for AVX-512: EightPairs tests any eight pairs of triangles of two
+// leaves at once. Usually few of a leaf's eight triangles are near a given triangle, and testing one against all eight
+// would leave most lanes unused. The processor must be able to pick lanes by number and bits by mask (simd/wide.hpp).
 
 struct EightPairs : avx2::ProjectedLanes<8> {
-    // Clears the bits of pairs of triangles that are proven to be apart, and returns the bits of those proven to cross.
+    // Clears the bits of pairs of triangles that are proven disjoint in `pairs`, and returns the bits of pairs that are
+    // proven to cross.
     ECODS_ALWAYS_INLINE static std::uint64_t find(const AxisSet& set, const Placed& x, const Placed& y,
                                                   std::uint64_t& pairs) noexcept {
         using Decided = avx2::TriangleLanes;
@@ -47,8 +48,8 @@ struct EightPairs : avx2::ProjectedLanes<8> {
         pick(from[2], index, to.z);
     }
 
-    // Sets the extents of both triangles of each pair on an axis, by vector max and min in the operand order of the
-    // instructions.
+    // Sets `extent`, for each pair, to the length on an axis of the interval that contains both triangles. max and min
+    // have the same operand order as in Vec, for equal bits.
     ECODS_ALWAYS_INLINE static void find_extent(const Placed& x, const Placed& y, std::size_t axis,
                                                 const wide::PairNumbers& pairs, Floats& extent) noexcept {
         const wide::Float8 high = wide::larger(wide::pick(x.spans.high[axis].data(), pairs.i),
@@ -58,7 +59,7 @@ struct EightPairs : avx2::ProjectedLanes<8> {
         wide::store(high - low, extent);
     }
 
-    // Sets the lanes in which no edge of either triangle is proven to separate the two, as in
+    // Sets `open` to the lanes in which no edge of either triangle is proven to separate the two, as in
     // FlatLanes::find_near_edges.
     ECODS_ALWAYS_INLINE static void find_flat(const AxisSet& set, const Placed& x, const Placed& y,
                                               const wide::PairNumbers& pairs, Ints& open) noexcept {

@@ -1,4 +1,4 @@
-// Text of bvh/masks/distance_masks.cpp, compiled for each instruction set.
+// Source that bvh/masks/distance_masks.cpp includes once for each instruction set.
 
 struct FarKernel : ProjectedLanes<float_width> {
     template <class X, class Y>

@@ -1,15 +1,15 @@
-// Text of bvh/masks/overlap_mask.cpp, compiled for each instruction set.
+// Source that bvh/masks/overlap_mask.cpp includes once for each instruction set.
 
 struct FlatLanes : ProjectedLanes<float_width> {
     static constexpr float extent_max = 0x1p40f;
 
-    // A triangle on the two axes along which flat trees are seen. Number is float for one triangle of x in all lanes,
-    // or Floats for a triangle of y in each lane.
+    // A triangle projected along the axis on which both trees are flat. Number is float for one triangle of x in all
+    // lanes, and Floats for a triangle of y in each lane.
     template <class Number>
     struct FlatTriangle {
         Number x[3], y[3];         // corners
-        Number ex[3], ey[3];       // edges; edge i begins at corner i
-        Number least[3], most[3];  // range of each edge's line function on the triangle; 0 on the edge
+        Number ex[3], ey[3];       // edge i begins at corner i
+        Number least[3], most[3];  // range on the triangle of each edge's line function, which is 0 on the edge
 
         ECODS_ALWAYS_INLINE void find_edges() noexcept {
             for (std::size_t i = 0; i < 3; ++i) {
@@ -18,7 +18,7 @@ struct FlatLanes : ProjectedLanes<float_width> {
                 ey[i] = y[to] - y[i];
                 const Number turn = ex[i] * (y[third] - y[i]) - ey[i] * (x[third] - x[i]);
                 least[i] = below_zero(turn);
-                most[i] = turn - least[i];  // exact: one of the two is zero
+                most[i] = turn - least[i];  // exact: least is 0 or turn
             }
         }
     };
@@ -28,14 +28,16 @@ struct FlatLanes : ProjectedLanes<float_width> {
 
     // Returns the lanes in which a line parallel to an edge of `own` certainly separates the triangles.
     //
-    // The vector n across the edge is taken as it is computed: any is sound. The line function of the corner p where
-    // the edge begins, p as computed, has the values n . (z - p) at all points z.
+    // Let n be a vector perpendicular to the edge. It is used as computed, since any vector is sound. The edge's line
+    // function has the value n . (z - p) at a point z, where p is the corner at which the edge begins, as computed.
     //
-    // Bound, with v = 2^-23, d the error of a corner and E the extents of both triangles, which no difference of two
-    // corners exceeds: a value is off by sum |n_k| (d_k + 3.01 v E_k) for the corner, the difference, products and
-    // their sum; the values at the edge's ends, taken for 0, by no more. Two of them, and rounding the sum on the
-    // right, which costs v E_k, are sum |n_k| (2 d_k + 7.02 v E_k); `error` is 2.01 d + 7.1 v E, which covers its own
-    // evaluation. Underflow: products lose 2^-126 each, far below the 2^-100 that is added.
+    // Bound, with v = 2^-23, d the error of a corner and E the extents of both triangles together, which no difference
+    // of two corners exceeds. A value of the line function is off by sum |n_k| (d_k + 3.01 v E_k) for the corner, the
+    // difference, products and their sum. The values at the edge's ends, which are taken for 0, are off by no more. Two
+    // such errors, and rounding the sum on the right, which costs v E_k, are sum |n_k| (2 d_k + 7.02 v E_k). `error` is
+    // 2.01 d + 7.1 v E, which also covers its own evaluation. Underflow: products lose 2^-126 each, far below the
+    // 2^-100 that is added.
+    // Claim: verify/proofs/float_determinants.py
     template <class Own, class Other>
     ECODS_ALWAYS_INLINE static Ints find_parted(const FlatTriangle<Own>& own, const FlatTriangle<Other>& other,
                                                 const Floats (&error)[2]) noexcept {
@@ -53,9 +55,9 @@ struct FlatLanes : ProjectedLanes<float_width> {
     ECODS_ALWAYS_INLINE static float size_of(float x) noexcept { return std::abs(x); }
     ECODS_ALWAYS_INLINE static Floats size_of(Floats x) noexcept { return absolute(x); }
 
-    // Returns in lane j the bits i of `rows` for which no edge of triangle i of x or triangle j of y is proven to
-    // separate the two, seen along the flat axis. Triangles that are separated in this view are disjoint in the world,
-    // too.
+    // Returns integers whose bit i in lane j, for i in `rows`, is set if no edge of triangle i of x or triangle j of y
+    // is proven to separate the two in the projection along the flat axis. Triangles that are separated in the
+    // projection are disjoint in the world, too.
     ECODS_ALWAYS_INLINE static Ints find_near_edges(const AxisSet& set, const Corners& x, const Spans& x_spans,
                                                     const Corners& y, const Spans& y_spans, std::size_t part,
                                                     std::uint32_t rows) noexcept {
@@ -88,8 +90,9 @@ struct FlatLanes : ProjectedLanes<float_width> {
         return near;
     }
 
-    // Sets the lanes in which no edge of p or q is proven to separate the two. `ex` and `ey` are the extents of both
-    // triangles on the axes k and l. Overflow: as in TriangleLanes::decide, extents of 2^40 or more prove nothing.
+    // Sets `open` to the lanes in which no edge of p or q is proven to separate the two. `ex` and `ey` are the extents
+    // of both triangles together on the axes k and l. Extents of 2^40 or more could overflow, and prove nothing, as in
+    // TriangleLanes::decide.
     template <class NumberOfP>
     ECODS_ALWAYS_INLINE static void find_open(const AxisSet& set, std::size_t k, std::size_t l,
                                               const FlatTriangle<NumberOfP>& p, const FlatTriangle<Floats>& q,

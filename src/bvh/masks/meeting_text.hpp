@@ -1,14 +1,17 @@
-// Text of bvh/masks/time_masks.cpp, compiled for each instruction set.
+// Source that bvh/masks/time_masks.cpp includes once for each instruction set.
 
-// Bounds the times at which lanes meet by chords of their gaps, eight lanes against eight.
+// A measure for PairKernel: intervals of time in which lanes of two moving nodes may meet, from the chords of their
+// gaps.
 //
-// Rounding. Ends of boxes and triangles have the margins of separating_axes.hpp, which hold for the ends as computed; a
-// gap is a difference of two, which rounds by v = 2^-23 of itself at most, so that its sign is right. A chord's zero is
-// f = g0 / (g0 - g1), for gaps of opposite signs: each is off by v of itself, their difference by 2 v and the quotient
-// by one more: below 5 v, for which 8 v of f is subtracted or added. A difference of gaps of opposite signs is no less
-// than either in size, so if underflow makes a gap zero, it proves nothing, and otherwise the quotient is defined. A
-// quotient that underflows is off by 2^-126: 2^-100 is subtracted or added, too. The intervals that remain begin at 0
-// or later. NaN compares false, and proves nothing.
+// Rounding. Ends of boxes and triangles have the margins of separating_axes.hpp, which hold for the ends as computed. A
+// gap is a difference of two ends, which rounds by at most v = 2^-23 of itself, so its sign is right. A chord's zero is
+// f = g0 / (g0 - g1), for gaps of opposite signs. Each gap is off by v of itself, their difference by 2 v and the
+// quotient by one more: below 5 v, for which 8 v of f is subtracted or added. The difference of two gaps of opposite
+// signs has at least the magnitude of each. So if underflow makes a gap zero, it proves nothing; otherwise the quotient
+// is defined. A quotient that underflows is off by 2^-126: 2^-100 is subtracted or added, too. The intervals that
+// remain begin at 0 or later. Comparisons with NaN are false, so NaN proves nothing.
+// Claim: verify/proofs/float_determinants.py
+// Claim: verify/proofs/motion_chords.md
 struct MeetingMeasure : TimeMeasure {
     const std::array<MotionSet, 2>& sets;
 

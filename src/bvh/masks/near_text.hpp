@@ -1,6 +1,6 @@
-// Text of bvh/masks/distance_masks.cpp, compiled for each instruction set.
+// Source that bvh/masks/distance_masks.cpp includes once for each instruction set.
 
-// Lower bounds of squared distances. A pair is in question while its bound is at most the limit.
+// A measure for PairKernel: lower bounds of squared distances. A pair is excluded if its bound exceeds the limit.
 struct NearMeasure : ProjectedLanes<float_width> {
     using Value = Floats;
     const std::array<DistanceSet, 2>& sets;
@@ -33,14 +33,15 @@ struct NearMeasure : ProjectedLanes<float_width> {
     }
     ECODS_ALWAYS_INLINE static Value join(Value a, Value b) noexcept { return max(a, b); }
 
-    // Returns the gap, or 0 if it is negative or a NaN.
+    // Returns the gap, or 0 if the gap is negative or NaN.
     ECODS_ALWAYS_INLINE static Floats positive(Floats gap) noexcept { return max(gap, Floats{}); }
 
-    // Sets the squared distances of the lanes of y from the lanes of x along the direction n, and in lane j the bits i
-    // whose squares are at most the limit. Triangles are projected as they are, whereas the sets' axes see a box around
-    // them. Nodes skip this step: for few pairs of boxes is the gap along n larger than the gaps on their axes.
+    // Sets `squares` to squared gaps of triangles of x and y along the direction n, and bit i in lane j of `near` if
+    // the square for triangle i of x and triangle j of y is at most the limit. Here the triangles themselves are
+    // projected, whereas the sets' axes measure boxes around them. For nodes this step is skipped: the gap of two boxes
+    // along n is seldom larger than the gaps on their axes.
     //
-    // Bound: y as for SlabAxis, and x has the error of a corner and 3.01 v s for products and sums, or of a box 7 v s:
+    // Bound: y as for SlabAxis. x has the error of a corner and 3.01 v s for products and sums, or 7 v s for a box:
     // below twice point_error, summed as |n_k| (...)_k.
     ECODS_ALWAYS_INLINE void look_first(const TreeLeaf& x, const TreeLeaf& y, Ints (&near)[part_count]) const noexcept {
         if (!axes(0).a.is_unit) return squares.fill(0);

@@ -1,8 +1,8 @@
-// Text of bvh/masks/distance_masks.cpp, compiled for each instruction set.
+// Source that bvh/masks/distance_masks.cpp includes once for each instruction set.
 
 struct NearestKernel : ProjectedLanes<float_width> {
-    // Returns the pair of lanes with the least weighted sum of squared gaps and squared distances of centers. Gaps
-    // weigh more; the centers decide among boxes that overlap.
+    // Returns the pair of lanes with the least weighted sum of squared gaps and squared distances of centers. Gaps have
+    // the larger weight; for boxes that overlap, the centers decide.
     template <class X, class Y>
     [[gnu::noinline]] static LanePair find(const DistanceSet& set, const X& x, const Y& y) noexcept {
         Placed placed_x, placed_y;

@@ -1,7 +1,7 @@
-// Text of bvh/masks/overlap_mask.cpp, compiled for each instruction set.
+// Source that bvh/masks/overlap_mask.cpp includes once for each instruction set.
 
-// Masks of the lanes that are not proven apart. Slabs separate most pairs whose boxes overlap though they are apart:
-// nearly flat parts of smooth surfaces above each other.
+// A measure for PairKernel: masks of the lanes that are not proven disjoint. Slabs separate most pairs that are
+// disjoint but whose boxes overlap: nearly flat parts of smooth surfaces, one above the other.
 struct OverlapMeasure : ProjectedLanes<float_width> {
     using Value = Ints;
     const std::array<AxisSet, 2>& sets;
@@ -13,7 +13,7 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
         place(axes(set).*tree, node, placed);
     }
 
-    // Values hold only whether a pair is in question, so none is loaded or stored.
+    // A Value is only a mask, which PairKernel keeps itself, so nothing is loaded or stored here.
     ECODS_ALWAYS_INLINE Value load(std::size_t, std::size_t) const noexcept { return unknown(); }
     ECODS_ALWAYS_INLINE void store(std::size_t, std::size_t, const Value&) const noexcept {}
     ECODS_ALWAYS_INLINE Ints is_near(const Value& value) const noexcept { return value; }
@@ -48,8 +48,8 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
         return rows != 0;
     }
 
-    // Clears the lanes of `other` whose boxes are certainly beyond the slab, by the node's own slab, which is thinner
-    // than its boxes. `set`, `p` and `shift` are those of SlabAxis.
+    // Clears those of `lanes` of the node `other` whose boxes are certainly beyond the slab. It uses the node's own
+    // slab, which is thinner than its boxes. `set`, `slab`, `p` and `shift` are as for SlabAxis.
     ECODS_ALWAYS_INLINE static void find_thin(const AxisSet& set, const Slab& slab, const Projection& p,
                                               const BvhNode& other, float shift, Ints (&lanes)[part_count]) noexcept {
         const SlabAxis axis(set, slab, p, shift);
@@ -61,7 +61,8 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
         }
     }
 
-    // Comparisons are false for NaN, which therefore proves nothing apart.
+    // Clears the lanes of y whose spans are disjoint from the span of lane i of x on an axis. Comparisons with NaN are
+    // false, so NaN proves nothing.
     template <std::size_t>
     ECODS_ALWAYS_INLINE void narrow(Value& value, const Placed& x, const Placed& y, std::size_t i,
                                     std::size_t part) const noexcept {
@@ -72,7 +73,7 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
     }
 };
 
-// Finds pairs that overlap, and for two leaves also the pairs of triangles that cross.
+// Finds pairs of lanes that may overlap, and for two leaves also the pairs of triangles that certainly cross.
 struct OverlapKernel : PairKernel<OverlapMeasure> {
     using AxisSets = std::array<AxisSet, 2>;
 
@@ -90,7 +91,8 @@ struct OverlapKernel : PairKernel<OverlapMeasure> {
     }
 
   private:
-    // Clears the bits of pairs of triangles that are proven to be apart, and returns the bits of those proven to cross.
+    // Clears the bits of pairs of triangles that are proven disjoint in `near`, and returns the bits of pairs that are
+    // proven to cross.
     ECODS_ALWAYS_INLINE static std::uint64_t find_triangles(const AxisSet& set, const Placed& x, const Placed& y,
                                                             Ints (&near)[part_count]) noexcept {
         if (set.flat_axis >= 0) {

@@ -1,5 +1,5 @@
-// Tests eight lanes of a node against eight of another, on the two sets of axes and on the slabs of both. A measure
-// says what is tested: whether lanes overlap, are near, or may meet.
+// PairKernel tests the eight lanes of a node against the eight lanes of another, on two sets of axes and on the slabs
+// of both nodes. A class Measure defines the test: if lanes overlap, are near, or may meet.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include "bvh/masks/projected_lanes.hpp"
 #include "simd/dispatch.hpp"
 
-// Defines a function of two nodes for all kinds of them: INSTANCE(X, Y) is its explicit instantiation.
+// Instantiates a function of two nodes for all kinds of nodes: INSTANCE(X, Y) must be one explicit instantiation.
 #define ECODS_FOR_ALL_NODES(INSTANCE) \
     INSTANCE(BvhNode, BvhNode)        \
     INSTANCE(BvhNode, TreeLeaf)       \

@@ -1,16 +1,17 @@
-// Text of bvh/masks/pair_kernel.hpp, compiled for each instruction set.
+// Source that bvh/masks/pair_kernel.hpp includes once for each instruction set.
 
-// A measure keeps what is known of each pair, as a Value with one lane per lane of y, and has
-//     put(set, tree, node, placed)              puts a node on the axes of a set
-//     load(i, part), store(i, part, value)      keep the values of row i
-//     is_near(value)                            says in which lanes the pair is still in question
-//     narrow<set>(value, x, y, i, part)         adds the evidence of a set on row i of x and a part of y
-// and for slabs, if it has `axes(set)`,
-//     start(over_x, over_y, i, part)            joins both slabs' evidence on row i; over_x has the rows in its lanes
-//     of_slab(set, axis, slab, shift, low, high)  is one slab's evidence on lanes from `low` to `high` along its normal
-// It may begin with triangles (look_first) and go on with slabs (look_beside_slabs).
+// Measure has a type Value, which holds what is known of pairs, with one lane for each lane of y. It has the functions
+//     put(set, tree, node, placed)              projects a node to the axes of a set
+//     load(i, part), store(i, part, value)      read and write the values of row i
+//     is_near(value)                            returns a mask of the lanes whose pairs are not excluded
+//     narrow<set>(value, x, y, i, part)         narrows the values of row i of x and a part of y by a set of axes
+// and, if slabs are used, axes(set) and
+//     start(over_x, over_y, i, part)            combines the values from both slabs for row i; lanes of over_x are rows
+//     of_slab(set, axis, slab, shift, low, high)  returns the values, by one slab, of lanes from `low` to `high` on its
+//     axis
+// It may also have look_first(), called before all else, and look_beside_slabs(), called after the slabs.
 //
-// Rows are lanes of x. Nodes are put on the second set only if the first one leaves pairs in question.
+// Rows are lanes of x. Nodes are projected to the second set only if the first one does not exclude all pairs.
 template <class Measure>
 struct PairKernel : ProjectedLanes<float_width> {
     using Value = typename Measure::Value;
@@ -23,7 +24,7 @@ struct PairKernel : ProjectedLanes<float_width> {
         return find_lanes(measure, x, y, on_first, near) ? pairs_of(near, y) : 0;
     }
 
-    // Returns the pairs as bits: bit i of lane j becomes bit 8 j + i.
+    // Returns the pairs as a mask of 64 bits: bit i of lane j becomes bit 8 j + i.
     template <class Y>
     ECODS_ALWAYS_INLINE static std::uint64_t pairs_of(const Ints (&lanes)[part_count], const Y& y) noexcept {
         std::uint64_t pairs = 0;
@@ -31,8 +32,8 @@ struct PairKernel : ProjectedLanes<float_width> {
         return pairs & ~std::uint64_t{0} >> (64 - tree_width * y.count);
     }
 
-    // Sets in lane j the bits i of the pairs in question, and returns true if there are any. Leaves both nodes on the
-    // axes of the first set.
+    // Sets bit i in lane j of `near` if the pair of lanes i of x and j of y is not excluded, and returns true if there
+    // is any such pair. Then `on_first` holds both nodes on the axes of the first set.
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static bool find_lanes(const Measure& measure, const X& x, const Y& y, Placed (&on_first)[2],
                                                Ints (&near)[part_count]) noexcept {
@@ -67,7 +68,8 @@ struct PairKernel : ProjectedLanes<float_width> {
     }
 
   private:
-    // Clears the bits of pairs that a set of axes excludes. value_of(i, part) is the value so far.
+    // Clears in `near` the bits of pairs that a set of axes excludes. value_of(i, part) returns the values of row i
+    // before.
     template <std::size_t set, class ValueOf>
     ECODS_ALWAYS_INLINE static void narrow_rows(const Measure& measure, const Placed (&nodes)[2],
                                                 const std::uint32_t rows, Ints (&near)[part_count],
@@ -85,8 +87,8 @@ struct PairKernel : ProjectedLanes<float_width> {
         }
     }
 
-    // Sets over_y to the evidence of the slab of x on the lanes of y, and over_x to that of the slab of y on the lanes
-    // of x. Returns false if no pair is left in question.
+    // Sets over_y to the values of the lanes of y by the slab of x, and over_x to the values of the lanes of x by the
+    // slab of y. Clears bits of `near` and `rows` that these exclude. Returns false if no pair remains.
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static bool look_at_slabs(const Measure& measure, const X& x, const Y& y,
                                                   Value (&over_x)[part_count], Value (&over_y)[part_count],
@@ -115,7 +117,7 @@ struct PairKernel : ProjectedLanes<float_width> {
         return true;
     }
 
-    // Returns the value of the lanes of `other` beside a slab of the other tree; `shift` is that of SlabAxis.
+    // Returns the values of the lanes of `other` by a slab of the other tree. `shift` is as for SlabAxis.
     template <class Other>
     ECODS_ALWAYS_INLINE static Value beside_slab(const Measure& measure, std::size_t set, const SlabAxis& axis,
                                                  const Slab& slab, const Other& other, float shift,

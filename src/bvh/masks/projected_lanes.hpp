@@ -1,5 +1,5 @@
-// Eight boxes or triangles of a node, projected to the axes of a set (separating_axes.hpp): the first step of all
-// kernels that compare two nodes.
+// ProjectedLanes projects the eight boxes or triangles of a node to the axes of a set (separating_axes.hpp). This is
+// the first step of all kernels that compare two nodes.
 #pragma once
 
 #include <algorithm>

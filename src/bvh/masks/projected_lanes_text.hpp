@@ -1,7 +1,7 @@
-// Text of bvh/masks/projected_lanes.hpp, compiled for each instruction set.
+// Source that bvh/masks/projected_lanes.hpp includes once for each instruction set.
 
 // Projects eight lanes in registers of `width` floats: four, which every x86-64 processor has, or eight. Operations and
-// their order are the same in every lane, so the resulting bits do not depend on the width.
+// their order are the same in every lane, so the bits of results do not depend on the width.
 template <std::size_t width>
 struct ProjectedLanes {
     using Floats = Vec<float, width>;
@@ -15,17 +15,17 @@ struct ProjectedLanes {
         ECODS_SET::store(&lanes[part * width], v);
     }
 
-    // The ends of the projections of eight boxes or triangles to three axes.
+    // The intervals to which eight boxes or triangles are projected, on three axes.
     struct Spans {
         alignas(32) std::array<FloatLanes, 3> low;
         alignas(32) std::array<FloatLanes, 3> high;
     };
-    // Corners of eight triangles in the coordinates of three axes.
+    // The corners of eight triangles, in coordinates on three axes.
     struct Corners {
-        alignas(32) std::array<std::array<FloatLanes, 3>, 3> at;  // by corner and axis
+        alignas(32) std::array<std::array<FloatLanes, 3>, 3> at;  // [corner][axis][lane]
     };
 
-    // A node on three axes. Corners are set for leaves only.
+    // A node on three axes. `corners` is set only for leaves.
     struct Placed {
         Corners corners;
         Spans spans;
@@ -85,14 +85,14 @@ struct ProjectedLanes {
         span(p, placed.corners, placed.spans);
     }
 
-    // Returns the bits that any lane has.
+    // Returns the bitwise or of all lanes.
     ECODS_ALWAYS_INLINE static std::uint32_t bits_of(const Ints (&lanes)[part_count]) noexcept {
         Ints any = lanes[0];
         for (std::size_t part = 1; part < part_count; ++part) any |= lanes[part];
         return static_cast<std::uint32_t>(any_bits(any));
     }
 
-    // Returns the lanes whose masks are set, as bits.
+    // Returns a mask whose bit i is set if lane i of `masks` is all ones. Each lane must be all ones or zero.
     ECODS_ALWAYS_INLINE static std::uint32_t lanes_of(const Ints (&masks)[part_count]) noexcept {
         Ints lanes[part_count];
         for (std::size_t part = 0; part < part_count; ++part) {
@@ -101,31 +101,32 @@ struct ProjectedLanes {
         return bits_of(lanes);
     }
 
-    // Adds bit i of lane j to `pairs`, as bit 8 j + i.
+    // Sets bit 8 j + i of `pairs` for each bit i of lane j of `near`, a part of the lanes.
     ECODS_ALWAYS_INLINE static void collect(const Ints& near, std::size_t part, std::uint64_t& pairs) noexcept {
         pairs |= low_bytes(near) << (8 * part * width);
     }
 
-    // The axis of a slab for the boxes and triangles of the other tree, which `p` projects. A box or triangle is
-    // certainly beyond the slab if all its points y have m . y above `high`, or all below `low`; the gap is exact but
-    // for the rounding of the difference. The set must have the axes of the slab's tree; `shift` is 1 if the other tree
-    // is the shifted one, -1 if the slab's tree is.
+    // The axis of a slab in the coordinates of the other tree, which `p` projects. A box or triangle of the other tree
+    // is certainly beyond the slab if m . y > `high` for all its points y, or m . y < `low` for all of them. The gap is
+    // exact up to the rounding of the difference. `set` must have the axes of the slab's tree. `shift` is 1 if the
+    // other tree is the one with a shift, and -1 if the slab's tree is.
     //
-    // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection there is n . (P y + q),
+    // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection on it is n . (P y + q),
     // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
     // each of three products of vectors, 3 v s for sums: below 14 v s + 13 u' w + e, summed as |n_k| (...)_k. A box
     // adds a reach with two products, and the ends: below 23 v s + 20 u' w + 2 e. Three times point_error is 24 v s +
     // 48 u' w + 3 e.
+    // Claim: verify/proofs/float_axes.py
     struct SlabAxis {
         std::array<float, 3> m;
         float low, high;
-        float margin;  // the margin that `low` and `high` include
+        float margin;  // the margin by which the slab is enlarged
 
         ECODS_ALWAYS_INLINE SlabAxis(const AxisSet& set, const Slab& slab, const Projection& p, float shift) noexcept {
             const auto& n = slab.normal;
-            // The fourth lane of m is n . q.
+            // The fourth lane of the sum is n . q, which is not used here.
             const auto row = [](const std::array<float, 4>& r) { return Vec<float, 4>{r[0], r[1], r[2], r[3]}; };
-            const auto& rows = set.b.row;  // the fourth number of each is q
+            const auto& rows = set.b.row;  // the fourth number of each row is q
             const Vec<float, 4> m4 = (n[0] * row(p.row[0]) + n[1] * row(p.row[1])) + n[2] * row(p.row[2]);
             m = {m4[0], m4[1], m4[2]};
             const float q = shift * ((n[0] * rows[0][3] + n[1] * rows[1][3]) + n[2] * rows[2][3]);
@@ -136,7 +137,7 @@ struct ProjectedLanes {
         }
     };
 
-    // Sets the least and largest m . y of each lane's box or triangle.
+    // Sets `low` and `high` to the least and the greatest m . y of each lane's box or triangle.
     ECODS_ALWAYS_INLINE static void find_ends(const BvhNode& node, const std::array<float, 3>& m, std::size_t part,
                                               Floats& low, Floats& high) noexcept {
         const Floats middle =
@@ -157,20 +158,20 @@ struct ProjectedLanes {
         high = max(a, max(b, c));
     }
 
-    // The axis m of a slab, for the boxes of a node of the other tree that has a slab of its own, of normal n: for the
-    // points y of the node's triangles, m . y = slope (n . y) + rest . y. If n is nearly parallel to m, rest is small
-    // and the node's slab bounds n . y well: on a smooth surface far better than boxes bound m . y.
+    // The axis m of a slab, for a node of the other tree that has a slab of its own, with the normal n. For the points
+    // y of the node's triangles, m . y = slope (n . y) + rest . y. If n is nearly parallel to m, rest is small and the
+    // node's slab bounds n . y well. On a smooth surface this bounds m . y much better than the node's boxes do.
     //
-    // Bound: m is taken as computed, for which a corner's 14 v s + 13 u' w + e account. Let M = sum |m_k|, at most the
+    // Bound: m is taken as computed, for which a corner's error is 14 v s + 13 u' w + e. Let M = sum |m_k|, at most the
     // sum of |n_i| s_i of the axis, and |n| < 1.001, so that sum |n_k| and the ends of slabs are below 1.74. Any slope
-    // is sound; computed as here it is below 1.002 M. Then sum |slope n_k| < 1.75 M, sum |rest_k| < 2.75 M, and, as all
-    // |y| are at most 1 + 2^-22, rounding rest costs (1.75 + 2.75) v M. Middle and reach of a box on rest are 3.01 v of
-    // 2.75 M each, their sum 5.6 v M; ends of slope (n . y) 1.75 v M, with the margin as much again, and the last sum
-    // 7.3 v M: 38 v M. All are below 52 v s + 13 u' w + e: three times the margin of the axis is 72 v s + 144 u' w + 9
-    // e.
+    // is sound; as computed here it is below 1.002 M. Then sum |slope n_k| < 1.75 M, sum |rest_k| < 2.75 M, and, as all
+    // |y| are at most 1 + 2^-22, rounding rest costs (1.75 + 2.75) v M. Middle and reach of a box on rest have errors
+    // of 3.01 v 2.75 M each, their sum 5.6 v M, ends of slope (n . y) 1.75 v M, with the margin as much again, and the
+    // last sum 7.3 v M: 38 v M. All are below 52 v s + 13 u' w + e. Three times the margin of the axis is 72 v s + 144
+    // u' w + 9 e.
     struct ThinAxis {
         std::array<float, 3> rest;
-        float low, high;  // ends of slope (n . y), the margin included
+        float low, high;  // bounds of slope (n . y), with the margin
 
         ECODS_ALWAYS_INLINE ThinAxis(const SlabAxis& axis, const Slab& slab) noexcept {
             const auto &m = axis.m, &n = slab.normal;
@@ -182,7 +183,7 @@ struct ProjectedLanes {
         }
     };
 
-    // Sets the ends of m . y for the boxes of a node, by the node's slab and its boxes.
+    // Sets `low` and `high` to bounds of m . y for each box of a node, from the node's slab and the box.
     ECODS_ALWAYS_INLINE static void find_thin_ends(const BvhNode& node, const ThinAxis& axis, std::size_t part,
                                                    Floats& low, Floats& high) noexcept {
         find_ends(node, axis.rest, part, low, high);

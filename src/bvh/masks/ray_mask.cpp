@@ -17,13 +17,13 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double float_u = 0x1p-23;
 
-// The tree at its pose, in units: entries of R map are at most about one.
+// A tree's local frame at its pose, in a unit in which the entries of R map are at most about one.
 struct PosedRoot {
     Mat3 edges;      // R map
     Vec3 from;       // R center - (p - t)
     Mat3 edge_size;  // |R| |map|
     Vec3 from_size;  // |R| |center| + |p - t|
-    double error;    // error of the origin
+    double error;    // error bound of the ray's origin, by axis
     bool is_bounded;
 
     PosedRoot(const MeshBvh& tree, const Mat3& R, const RayOrigin& origin) {
@@ -36,7 +36,7 @@ struct PosedRoot {
         error = origin.error;
         const double largest = std::max(edge_size.maxCoeff(), 0x1p-60 * from_size.maxCoeff());
         const double factor = std::max({R_size.maxCoeff(), frame.size_max, origin.offset.cwiseAbs().maxCoeff()});
-        // The comparisons are false for NaN, which therefore counts as unbounded.
+        // If a number is NaN, its comparison is false, and the tree counts as unbounded.
         is_bounded = frame.is_bounded && largest > 0x1p-400 && from_size.maxCoeff() < 0x1p500 && factor < 0x1p500;
         if (!is_bounded) return;
         const double unit = std::ldexp(1.0, -std::ilogb(largest));
@@ -68,12 +68,12 @@ void set_row(RayRow& row, const PosedRoot& root, const Vec3& n) {
     }
     row.shift = static_cast<float>(exact.shift);
     const double in_floats = 16 * float_u * (std::abs(exact.shift) + exact.g.cwiseAbs().sum());
-    // The factor 1 + 2^-20 covers the rounding of the margin.
+    // 1 + 2^-20 covers the rounding of the margin.
     const double margin = ((in_floats + exact.margin) + 0x1p-100) * (1 + 0x1p-20);
     row.margin = static_cast<float>(root.is_bounded ? margin : infinite);
 }
 
-// The interval of a row's values on the root's box, widened by the row's margin.
+// The interval of a row's values on the root's box, enlarged by the row's margin.
 struct RootSpan {
     double low, high;
 
@@ -99,7 +99,7 @@ Vec3 unit_vector(int axis, double sign = 1) {
     return n;
 }
 
-// Returns one of the ray's rows: the cross product of the ray's direction and an edge of the boxes.
+// Returns the cross product of the ray's direction, which is along `axis`, and an edge of the boxes.
 Vec3 across_edge(const Vec3& edge, int axis) {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     Vec3 n = Vec3::Zero();

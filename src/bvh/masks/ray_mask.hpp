@@ -1,17 +1,18 @@
-// Tests a ray along an axis of the world, or a point, against the boxes of a posed tree.
+// A TreeRay tests a ray along an axis of the world, or a point, against the boxes of a posed tree.
 //
-// A row is a vector n of the world. For a point of the mesh with the coordinates y, which is R (center + map y) + t,
-// and the beginning p of the ray,
+// A row is a linear function of points, given by a vector n of the world. A point of the mesh with the coordinates y is
+// R (center + map y) + t. Relative to the ray's beginning p, the row's value there is
 //
 //     n . (R (center + map y) + t - p) = shift + g . y,    g = (R map)^T n,    shift = n . (R center - (p - t)).
 //
-// The rows `across` are orthogonal to the ray: it meets a box only if all of them are zero somewhere in the box. Rows
-// that are products of the ray and an edge of the boxes bound the shadow of a box along the ray exactly. If the row
-// `along`, n = the ray's direction, is negative in all of a box, the box is behind the ray. For a point the rows across
-// are the axes of the world, and the row along excludes nothing.
+// The vectors n of the rows `across` are perpendicular to the ray: the ray meets a box only if each of these rows is
+// zero somewhere in the box. If n is the cross product of the ray's direction and an edge of the boxes, the row bounds
+// the projection of a box along the ray exactly. The row `along` has n = the ray's direction: if it is negative in the
+// whole box, the box is behind the ray. For a point, the rows across are the axes of the world, and the row along
+// excludes nothing.
 //
-// Bound, for numbers in units of a power of two that makes the largest entry of R map about one (exact). In any
-// rounding mode one operation has an error of u' = 2^-52 (base/arithmetic.hpp); boxes have |center| + half <= 1 +
+// Bound, for numbers in a unit, a power of two, in which the largest entry of R map is about one (exact). In any
+// rounding mode one operation has an error of u' = 2^-52 (base/arithmetic.hpp). Boxes have |center| + half <= 1 +
 // 2^-21.
 //   Doubles. R map as computed is off by 3.01 u' M, M = |R| |map|; R center - (p - t), with p - t given with an error
 //   of u' |p - t| + origin_error, by 5.1 u' W + origin_error, W = |R| |center| + |p - t|. Edges as computed are exact
@@ -22,6 +23,7 @@
 //   corner_error < 2.01 v of a unit. In all below 16 v (|shift| + sum |g|).
 //   Underflow. Doubles lose 2^-1022 each, times factors below 2^500, which is checked, so below 2^-400 in a hundred
 //   operations; floats 2^-126 each: 2^-100 is added. If a check fails the margin is infinite, and no box is excluded.
+// Claim: verify/proofs/posed_axes.py
 #pragma once
 
 #include <array>
@@ -46,22 +48,23 @@ struct TreeRay {
     int sign = 1;  // 1 if the ray goes up, -1 if down
 };
 
-// The beginning of a ray: p - t for the translation t of the tree's pose. Each coordinate is off by at most u' times
-// its size, plus `error`.
+// The beginning of a ray relative to a tree: p - t, where t is the translation of the tree's pose. Each coordinate of
+// `offset` is off by at most u' times its magnitude, plus `error`.
 struct RayOrigin {
     Vec3 offset;
     double error;
 };
 
-// Sets the ray along one of `axes` (bits 0 to 2, at least one), up or down, that leaves the tree's root soonest,
-// relative to the root's size. Returns false if the beginning is certainly outside the root's box, by the axes of the
-// world: then every ray that leads away from the box misses it.
+// Chooses, among the directions up and down along the axes in `axes` (bits 0 to 2, at least one), the one in which the
+// ray leaves the tree's root soonest, relative to the root's size; sets `ray` to that ray. Returns false, without a
+// ray, if the beginning is certainly outside of the root's box on an axis of the world: then every ray that leads away
+// from the box misses it.
 bool set_ray(TreeRay& ray, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin, std::uint32_t axes);
 
-// Sets the point. Returns false if it is certainly outside the root's box.
+// Sets `point` to a test of the point `origin`. Returns false if the point is certainly outside of the root's box.
 bool set_point(TreeRay& point, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin);
 
-// Returns the lanes that the ray may meet, as bits; bits of lanes that repeat another are clear.
+// Returns a mask of the lanes that the ray may meet. Bits of lanes that repeat another lane are clear.
 std::uint32_t ray_mask(const TreeRay& ray, const BvhNode& node) noexcept;
 std::uint32_t ray_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept;
 

@@ -1,4 +1,4 @@
-// Text of bvh/masks/ray_mask.cpp, compiled for each instruction set.
+// Source that bvh/masks/ray_mask.cpp includes once for each instruction set.
 
 struct RayKernel {
     static constexpr std::size_t width = float_width;
@@ -17,7 +17,7 @@ struct RayKernel {
         return static_cast<std::uint32_t>(any_bits(~apart & lane_bits<Ints>(static_cast<int>(first))));
     }
 
-    // Comparisons are false for NaN, which therefore proves nothing apart.
+    // Comparisons with NaN are false, so NaN proves nothing.
     [[gnu::noinline]] static std::uint32_t node_mask(const TreeRay& ray, const BvhNode& node) noexcept {
         std::uint32_t lanes = 0;
         for (std::size_t first = 0; first < tree_width; first += width) {
@@ -34,7 +34,7 @@ struct RayKernel {
         }
         return lanes & node.lanes();
     }
-    // Bounded rows give no NaN: all their numbers are finite, as the corners are.
+    // No NaN arises with bounded rows: all their numbers are finite, and so are the corners.
     [[gnu::noinline]] static std::uint32_t leaf_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept {
         std::uint32_t lanes = 0;
         for (std::size_t first = 0; first < tree_width; first += width) {

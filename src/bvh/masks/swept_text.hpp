@@ -1,7 +1,7 @@
-// Text of bvh/masks/time_masks.cpp, compiled for each instruction set.
+// Source that bvh/masks/time_masks.cpp includes once for each instruction set.
 
-// Factors that turn the gap between two intervals that approach each other, and the way until they have passed each
-// other, into times.
+// Reciprocals of a closing speed, rounded such that gap * to_begin is a lower bound of the time at which two intervals
+// meet, and (distance until they have passed each other) * to_end is an upper bound of the time at which they part.
 struct Pace {
     float to_begin, to_end;
 
@@ -10,7 +10,7 @@ struct Pace {
 };
 inline constexpr float lost_time = 0x1p-100f;
 
-// Lower and upper bounds of the times at which a translated body may share points with another.
+// A measure for PairKernel: bounds of the times at which lanes of a translated body and of another may share points.
 struct SweptMeasure : TimeMeasure {
     const std::array<SweptSet, 2>& sets;
 
@@ -22,13 +22,14 @@ struct SweptMeasure : TimeMeasure {
         turn(sets[set], placed.spans);
     }
 
-    // Narrows `value` to the times at which two intervals overlap. A time that is a NaN limits nothing.
+    // Narrows `value` to the times at which two intervals overlap, whose gap is `gap` at time 0, and which have passed
+    // each other after the distance `rest`. A time that is NaN changes nothing.
     ECODS_ALWAYS_INLINE static void meet(Value& value, const Pace& pace, Floats gap, Floats rest) noexcept {
         value.begin = max(gap * pace.to_begin, value.begin);
         value.end = min(rest * pace.to_end + lost_time, value.end);
     }
 
-    // Flips axes so that the first tree moves upwards on them.
+    // Mirrors the spans on each axis on which the first tree moves downwards, so that it moves upwards on all axes.
     ECODS_ALWAYS_INLINE static void turn(const SweptSet& set, Spans& spans) noexcept {
         for (std::size_t k = 0; k < 3; ++k) {
             if (!(set.velocity[k] < 0)) continue;
@@ -62,7 +63,7 @@ struct SweptMeasure : TimeMeasure {
                                       Floats high) const noexcept {
         const auto& n = slab.normal;
         const auto& v = sets[set].velocity;
-        // The speed of the slab, as seen from the other tree.
+        // The speed of the slab relative to the other tree, along the slab's normal.
         const float speed = shift * ((n[0] * v[0] + n[1] * v[1]) + n[2] * v[2]);
         const Pace pace(std::abs(speed));
         Value value = unknown();

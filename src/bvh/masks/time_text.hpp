@@ -1,9 +1,9 @@
-// Text of bvh/masks/time_masks.cpp, compiled for each instruction set.
+// Source that bvh/masks/time_masks.cpp includes once for each instruction set.
 
-// The interval of times in which lanes may share points; a pair is in question while its interval is not empty. The
-// measures differ in how sets of axes narrow it.
+// The base of measures whose values are intervals of time in which lanes may share points. A pair is excluded if its
+// interval is empty. Derived measures differ in how a set of axes narrows the interval.
 struct TimeMeasure : ProjectedLanes<float_width> {
-    // An interval of times, with begin at least 0; empty if begin > end.
+    // An interval of times in each lane; begin is at least 0. The interval is empty if begin > end.
     struct Value {
         Floats begin, end;
     };

@@ -1,4 +1,4 @@
-// Bounds the distances of the triangles of two leaves, in floats.
+// bound_triangles computes bounds of the distances of triangles of two leaves, in floats.
 #pragma once
 
 #include <array>
@@ -9,17 +9,17 @@
 
 namespace ecods {
 
-// The corners of eight triangles on the axes of a set, by corner, axis and lane.
+// The corners of eight triangles on the axes of a set: [corner][axis][lane].
 using AxisCorners = std::array<std::array<FloatLanes, 3>, 3>;
 
-// Two leaves on the axes of a set.
+// The triangles of two leaves, x of the first tree and y of the second, on the axes of a set.
 struct LeavesOnAxes {
     alignas(32) AxisCorners x;
     alignas(32) AxisCorners y;
 };
 void put_on_axes(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y, LeavesOnAxes& leaves) noexcept;
 
-// Up to eight pairs of triangles on the axes of one set.
+// Up to eight pairs of triangles, a[..][..][i] and b[..][..][i], on the axes of one set.
 struct TriangleBatch {
     alignas(32) AxisCorners a;
     alignas(32) AxisCorners b;
@@ -28,7 +28,7 @@ struct TriangleBatch {
 
     bool is_full() const noexcept { return count == tree_width; }
 
-    // Adds triangle i of x and triangle j of y; `pair` names the two.
+    // Adds the pair of triangle i of leaf x and triangle j of leaf y. `pair` names the two in their meshes.
     void add(const LeavesOnAxes& leaves, std::size_t i, std::size_t j, const TrianglePair& pair) noexcept {
         for (std::size_t c = 0; c < 3; ++c) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -40,14 +40,14 @@ struct TriangleBatch {
     }
 };
 
-// Squared distances of the pairs of a batch.
+// The results of bound_triangles() for the pairs of a batch, one pair in each lane.
 struct TriangleSquares {
-    alignas(32) FloatLanes lower;                   // lower bound, in units; 0 if nothing is known
-    alignas(32) FloatLanes upper;                   // squared distance of two points on the axes, without error bound
-    alignas(32) std::array<FloatLanes, 3> between;  // vector from the one point to the other
+    alignas(32) FloatLanes lower;  // lower bound of the squared distance, in units; 0 if nothing is known
+    alignas(32) FloatLanes upper;  // squared distance of a point of each on the axes, as computed
+    alignas(32) std::array<FloatLanes, 3> between;  // vector from the point of a to the point of b
 };
 
-// Sets the squares of all lanes, also of lanes that hold no pair. The coordinates of all lanes must be numbers.
+// Sets `squares` in all lanes, also in lanes without a pair. The coordinates of all lanes must be numbers, not NaN.
 void bound_triangles(const DistanceSet& set, const TriangleBatch& batch, TriangleSquares& squares) noexcept;
 
 }  // namespace ecods

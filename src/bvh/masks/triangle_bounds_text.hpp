@@ -1,20 +1,22 @@
-// Text of bvh/masks/triangle_bounds.cpp, compiled for each instruction set.
+// Source that bvh/masks/triangle_bounds.cpp includes once for each instruction set.
 
-// Bounds the distance of one pair of triangles in each lane. Two points of the triangles, good or not, give an upper
-// bound. The vector n from one to the other gives a lower bound: all points of b are at least min n . b along n, all of
-// a at most max n . a, so the distance is at least (min n . b - max n . a) / |n|.
+// Bounds the distance of one pair of triangles a and b in each lane. Any two points of the triangles give an upper
+// bound; close ones are guessed. The vector n from one to the other gives a lower bound: all points of b have n . y >=
+// min n . b, and all points of a have n . x <= max n . a, so the distance is at least (min n . b - max n . a) / |n|.
 //
-// Bound, with E = `error`, which is at least 8 v |z| for all coordinates z, v = 2^-23, and bounds the error of a
-// corner. Upper: a point of an edge, z + t e with 0 <= t <= 1: the difference e is off by 2 v |z|, product and sum by 5
-// v |z|: below E, and the combination of the corners as they are by E more. A point of a face, z + (t e - u e'), t and
-// u not negative, their sum at most 1 + v: differences 4 v |z|, products 4, their sum 4, the last sum 5, the excess 2:
-// below 2.4 E, and 1 E for the corners. So a difference of two points, n as computed, is off by less than 4.5 E on each
-// axis beside its own rounding v, its length by 8 E; squares, sums and root are 4 v. 9 E has margin for the rest.
-// Lower: n and the point p from which all is measured are floats, taken as they are. A corner is off by E, its
-// difference from p by v and the product with n by 3.01 v relative to M, the largest coordinate of a difference: the
-// sum of |n_k| (E + 4.01 v M). Two of them, and the rounding of M, make 2 E + 9 v M; the difference, its square, n . n,
-// the quotient and the factor are below 10 v, relative, and 2^-18 of `square` covers them together with the errors of
-// near_mask.
+// Bound. Let E = `error`, which is an error bound of a corner, and at least 8 v |z| for all coordinates z, v = 2^-23.
+// Upper bound: a point of an edge is z + t e with 0 <= t <= 1. The difference e is off by 2 v |z|, product and sum by 5
+// v |z|: below E, and the combination of the corners as they are by E more. A point of a face is z + (t e - u e'), t
+// and u not negative, their sum at most 1 + v: differences 4 v |z|, products 4, their sum 4, the last sum 5, the excess
+// 2: below 2.4 E, and 1 E for the corners. So a difference of two points, n as computed, is off by less than 4.5 E on
+// each axis besides its own rounding v, and its length by 8 E; squares, sums and root are 4 v. 9 E has a margin for the
+// rest.
+// Lower bound: n, and the point p relative to which all is measured, are floats, taken as they are. A corner is off by
+// E, its difference from p by v and the product with n by 3.01 v relative to M, the largest coordinate of a difference:
+// the sum of |n_k| (E + 4.01 v M). Two such errors, and the rounding of M, make 2 E + 9 v M. The difference, its
+// square, n . n, the quotient and the factor are below 10 v, relative, and 2^-18 of `square` covers them together with
+// the errors of near_mask().
+// Claim: verify/proofs/small_bounds.py
 struct BoundsKernel : ProjectedLanes<float_width> {
     struct Vector {
         Floats x, y, z;
@@ -37,15 +39,14 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         return {ECODS_SET::select(mask, a.x, b.x), ECODS_SET::select(mask, a.y, b.y),
                 ECODS_SET::select(mask, a.z, b.z)};
     }
-    // Clamps to [0, 1]; a NaN becomes 0.
+    // Clamps t to [0, 1]; NaN becomes 0.
     ECODS_ALWAYS_INLINE static Floats clamp(Floats t) noexcept { return min(max(t, Floats{}), broadcast<Floats>(1)); }
 
-    // A triangle in each lane: corners, the edges from each corner to the next, and values that do not depend on the
-    // other triangle.
+    // A triangle in each lane: its corners, the edges from each corner to the next, and values computed from these.
     struct Triangles {
         Vector v[3], e[3];
-        Floats length[3], inverse[3];  // squared lengths of edges, and their reciprocals
-        Vector u, w;                   // weights of e[0] and -e[2] at the foot of v[0] + r are r . u and r . w
+        Floats length[3], inverse[3];  // squared lengths of the edges, and their reciprocals
+        Vector u, w;                   // the foot of v[0] + r on the plane is v[0] + (u . r) e[0] - (w . r) e[2]
 
         ECODS_ALWAYS_INLINE void find_edges() noexcept {
             for (int i = 0; i < 3; ++i) {
@@ -61,7 +62,7 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         }
     };
 
-    // The closest pair of points found so far: `from` in a, and `from` + n in b.
+    // The closest two points found so far in each lane: `from` in a, and from + n in b.
     struct Closest {
         Floats square;
         Vector n{}, from{};
@@ -92,9 +93,9 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         }
     }
 
-    // Returns the foot of the point on the face, and sets the lanes in which it is inside. Since it is a combination of
-    // the corners, it stays near a slender triangle even if the weights are inaccurate; the point less a multiple of
-    // the normal might not.
+    // Returns the foot of `point` on the plane of the face, and sets `inside` to the lanes in which it is in the face.
+    // The foot is computed as a combination of corners, so it stays near a slender triangle even if the weights are
+    // inaccurate. The point minus a multiple of the normal might not.
     ECODS_ALWAYS_INLINE static Vector foot(const Triangles& face, const Vector& point, Ints& inside) noexcept {
         const Vector r = sub(point, face.v[0]);
         const Floats t = dot(face.u, r), u = dot(face.w, r);
@@ -130,8 +131,8 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         }
         const Floats sum = (absolute(n.x) + absolute(n.y)) + absolute(n.z);
         const Floats gap = max((low - high) - sum * (2 * error + 9 * 0x1p-23f * size), Floats{});
-        // Shorter vectors n get the bound 0, as their squares lose digits to underflow. The order of operations avoids
-        // the square of the gap, which may overflow.
+        // If n is shorter than this, its square loses digits to underflow, and the bound is 0. The order of operations
+        // avoids the square of the gap, which may overflow.
         const Ints is_long = closest.square > 0x1p-80f;
         return ECODS_SET::select(is_long, gap * (gap / closest.square) * square, Floats{});
     }

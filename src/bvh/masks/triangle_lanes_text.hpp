@@ -1,4 +1,4 @@
-// Text of bvh/masks/overlap_mask.cpp, compiled for each instruction set.
+// Source that bvh/masks/overlap_mask.cpp includes once for each instruction set.
 
 template <class Number>
 struct LaneVector {
@@ -9,8 +9,9 @@ ECODS_ALWAYS_INLINE LaneVector<Number> operator-(const LaneVector<Number>& a, co
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-// Decides pairs of triangles in the coordinates of the axes, a linear map of the world's. So triangles that are apart
-// there are disjoint in the world; and if the map is a bijection, triangles that cross there cross in the world.
+// Decides pairs of triangles in the coordinates of the axes, a linear map of world coordinates. Triangles that are
+// apart in these coordinates are disjoint in the world. If the map is a bijection, triangles that cross in these
+// coordinates cross in the world, too.
 struct TriangleLanes : ProjectedLanes<float_width> {
     static constexpr float extent_max = 0x1p40f;
 
@@ -29,12 +30,12 @@ struct TriangleLanes : ProjectedLanes<float_width> {
     ECODS_ALWAYS_INLINE static Floats least_of(const Floats (&v)[3]) noexcept { return min(v[0], min(v[1], v[2])); }
     ECODS_ALWAYS_INLINE static Floats most_of(const Floats (&v)[3]) noexcept { return max(v[0], max(v[1], v[2])); }
 
-    // Returns corner c of each lane's triangle.
+    // Returns corner c of the triangle in each lane.
     ECODS_ALWAYS_INLINE static Vectors corner(const Corners& corners, std::size_t c, std::size_t part) noexcept {
         const auto& at = corners.at[c];
         return {load(at[0], part), load(at[1], part), load(at[2], part)};
     }
-    // Returns corner c of triangle i, in all lanes.
+    // Returns corner c of triangle i in all lanes.
     ECODS_ALWAYS_INLINE static Vectors corner_of(const Corners& corners, std::size_t c, std::size_t i) noexcept {
         const auto& at = corners.at[c];
         return {broadcast<Floats>(at[0][i]), broadcast<Floats>(at[1][i]), broadcast<Floats>(at[2][i])};
@@ -50,8 +51,9 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         b = choose(mask, old, b);
     }
 
-    // Rotates the corners so that the apex comes first, the corner that is alone on its side; `sides` must have two of
-    // one sign and one of the other. Returns the lanes in which the apex is on the negative side.
+    // Rotates the corners p in each lane such that the apex, the corner that is alone on its side of a plane, comes
+    // first. `sides` must have two numbers of one sign and one of the other. Returns the lanes in which the apex is on
+    // the negative side.
     ECODS_ALWAYS_INLINE static Ints put_apex_first(const Floats (&sides)[3], Vectors (&p)[3]) noexcept {
         const Ints n0 = sides[0] < Floats{}, n1 = sides[1] < Floats{}, n2 = sides[2] < Floats{};
         const Ints first = ~(n1 ^ n2), second = ~(n0 ^ n2);
@@ -64,9 +66,10 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         return (first & n0) | (~first & ((second & n1) | (~second & n2)));
     }
 
-    // Sets the lanes of pairs that are certainly disjoint, and of pairs that certainly cross. All corners of either
-    // triangle must certainly be off the plane of the other one, and not all on one side. Compares edges along the line
-    // of the planes twice, as exact/simplex/triangle_pair.hpp derives. `p_sides` are the sides of the corners p.
+    // Sets `apart` to the lanes whose pairs are certainly disjoint, and `crossing` to the lanes whose pairs certainly
+    // cross. All corners of each triangle must certainly be off the plane of the other one, and not all on one side.
+    // p_sides are the sides of the corners p relative to q's plane, and q_sides the reverse. Compares edges along the
+    // line of the two planes twice, as exact/simplex/triangle_pair.hpp derives.
     ECODS_ALWAYS_INLINE static void compare_edges(Vectors (&p)[3], const Floats (&p_sides)[3], Vectors (&q)[3],
                                                   const Floats (&q_sides)[3], Floats bound, Ints& apart,
                                                   Ints& crossing) noexcept {
@@ -79,13 +82,13 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         crossing = (begin < -bound) & (end < -bound);
     }
 
-    // Bits i in lane j, for pairs of triangle i of x and triangle j of y.
+    // Two sets of pairs: bit i in lane j is for triangle i of x and triangle j of y.
     struct Found {
-        Ints near;      // not proven to be apart
-        Ints crossing;  // those of `near` that are proven to cross, in the coordinates of the corners
+        Ints near;      // not proven disjoint
+        Ints crossing;  // pairs in `near` that are proven to cross in the coordinates of the corners
     };
 
-    // The normals of the triangles of x, eight at once.
+    // The normals of the eight triangles of x.
     struct Normals {
         alignas(32) std::array<FloatLanes, 3> at;
 
@@ -100,18 +103,23 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         }
     };
 
-    // Decides the pairs in `near`: in each lane one of triangle p, of normal n, and triangle q, of normal m. The normal
-    // of p has plain numbers if it is the same in all lanes. `extent` holds the extents of both triangles.
+    // Decides the pairs in `near`: each lane has a pair of a triangle p with normal n and a triangle q with normal m. n
+    // has plain numbers if p is the same in all lanes. `extent` is, by axis, the length of the interval that contains
+    // both triangles, and `delta` the error bound of a corner.
     //
-    // Bound: that of exact/sign/filter_bound.hpp, whose derivation holds for any unit roundoff, with v = 2^-23 for u'
-    // and point_error for delta. With E the extents of the two triangles, enlarged by e = v E + 2 delta, it is
-    //     (30 v ExEyEz + 6 (ex Ey Ez + Ex ey Ez + Ex Ey ez)) (1 + 2^-10)
-    //   = (48 v ExEyEz + 12 (dx Ey Ez + Ex dy Ez + Ex Ey dz)) (1 + 2^-10),    d = delta;
-    // 49 and 12.5 cover the last factor and their own evaluation. Overflow: none for extents below 2^40; larger
-    // triangles are not judged. (An infinity would be harmless, but a mode that rounds down turns only the determinants
-    // into one, and the bound into the largest float.) Underflow: products of three lose 2^-126 times extents, but
-    // those that matter here are near one: coordinates that decide are below 4 in size, or delta is above 2^-20 of
-    // them; 2^-100 is added.
+    // Bound, with v = 2^-23, d the error of a corner and E the extents of both triangles. Rounding: differences and the
+    // determinant of exact/sign/filter_bound.hpp, with v for u', are off by less than 46.01 v ExEyEz. Input errors:
+    // with columns divided by E, entries are at most 1 and errors at most t_k = 2 d_k / E_k. A determinant of three
+    // columns of entries up to x, y and z is at most 4 x y z, so these errors change it by at most
+    //     4 ((tx + ty + tz) + (tx ty + tx tz + ty tz) + tx ty tz).
+    // The bound below has 6.25 (tx + ty + tz). A sign is certain only if the computed determinant, at most 4, exceeds
+    // it: then the sum of t is below 0.65, and the first-order factor, with the other terms, below 5. 49 v also covers
+    // the bound's own evaluation. (Extents are not enlarged by d: spans of the first tree have no margin.) Overflow:
+    // none for extents below 2^40; larger triangles are not judged. (An infinity would be harmless, but a mode that
+    // rounds down turns only the determinants into one, and the bound into the largest float.) Underflow: products of
+    // three lose 2^-126 times extents, but those that matter here are near one: coordinates that decide are below 4 in
+    // size, or delta is above 2^-20 of them; 2^-100 is added.
+    // Claim: verify/proofs/float_determinants.py
     template <class NormalOfP>
     ECODS_ALWAYS_INLINE static Found decide(const std::array<float, 4>& delta, const Vectors (&p)[3],
                                             const NormalOfP& n, const Vectors (&q)[3], const Vectors& m,
@@ -142,7 +150,7 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         return found;
     }
 
-    // Decides the pairs in `near`, whose bits are among `rows`.
+    // Decides the pairs in `near`, as decide() does. `rows` must contain all bits that lanes of `near` have.
     ECODS_ALWAYS_INLINE static Found find(const std::array<float, 4>& delta, const Corners& x, const Spans& x_spans,
                                           const Normals& x_normals, const Corners& y, const Spans& y_spans,
                                           std::size_t part, Ints near, std::uint32_t rows) noexcept {

@@ -1,10 +1,10 @@
-// Text of bvh/masks/overlap_mask.cpp for registers of sixteen floats.
+// Source that bvh/masks/overlap_mask.cpp includes for registers of sixteen floats.
 
-// Does what OverlapKernel does, with two rows of pairs at once: masks of sixteen bits are two bytes of the answer.
+// Does the same as OverlapKernel, for two lanes of y at once: a mask of sixteen bits is two bytes of the result.
 struct WideOverlap : avx2::ProjectedLanes<8> {
     using AxisSets = std::array<AxisSet, 2>;
 
-    // Returns the bits of `pairs` whose spans overlap on all axes.
+    // Returns those of `pairs` whose spans overlap on all axes.
     ECODS_ALWAYS_INLINE static std::uint64_t find_near(const Spans& x, const Spans& y, std::uint64_t pairs) noexcept {
         const wide::Floats x_low[3] = {twice(x.low[0]), twice(x.low[1]), twice(x.low[2])},
                            x_high[3] = {twice(x.high[0]), twice(x.high[1]), twice(x.high[2])},
@@ -14,8 +14,7 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
                near_two<4>(x_low, x_high, y_low, y_high, pairs) | near_two<6>(x_low, x_high, y_low, y_high, pairs);
     }
 
-    // Returns the lanes of `other`, as bits, that are not certainly beyond a slab; `set`, `p` and `shift` are those of
-    // SlabAxis.
+    // Returns a mask of the lanes of `other` that are not certainly beyond a slab. The arguments are as for SlabAxis.
     template <class Other>
     ECODS_ALWAYS_INLINE static std::uint32_t in_slab(const AxisSet& set, const Slab& slab, const Projection& p,
                                                      const Other& other, float shift) noexcept {
@@ -25,7 +24,7 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
         return not_outside(low, high, axis.low, axis.high);
     }
 
-    // Returns the lanes of `other`, as bits, that OverlapMeasure::find_thin would not clear.
+    // Returns a mask of the lanes of `other` that OverlapMeasure::find_thin does not clear.
     ECODS_ALWAYS_INLINE static std::uint32_t in_thin(const AxisSet& set, const Slab& slab, const Projection& p,
                                                      const BvhNode& other, float shift) noexcept {
         const SlabAxis axis(set, slab, p, shift);
@@ -34,7 +33,7 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
         return not_outside(low, high, axis.low, axis.high);
     }
 
-    // Returns the pairs that OverlapKernel::find returns.
+    // Returns the same as OverlapKernel::find.
     template <class X, class Y>
     [[gnu::noinline]] static TrianglePairs find(const AxisSets& sets, const X& x, const Y& y) noexcept {
         std::uint64_t pairs = ~std::uint64_t{0} >> (64 - tree_width * y.count);
@@ -83,13 +82,13 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
         return wide::twice(lanes.data());
     }
 
-    // Returns the bits of `pairs` in lanes j and j + 1 of y whose spans overlap on all axes.
+    // Returns those of `pairs` that are in lane j or j + 1 of y and whose spans overlap on all axes.
     template <int j>
     ECODS_ALWAYS_INLINE static std::uint64_t near_two(const wide::Floats (&x_low)[3], const wide::Floats (&x_high)[3],
                                                       const wide::Floats (&y_low)[3], const wide::Floats (&y_high)[3],
                                                       std::uint64_t pairs) noexcept {
-        // A comparison waits for the mask of the one before it: two chains take half as long as one, and more chains
-        // are no faster.
+        // Each comparison waits for the mask of the comparison before it. Two chains of comparisons take half as long
+        // as one; more chains are no faster.
         auto begin = static_cast<Mask>(pairs >> (8 * j));
         Mask end = all_lanes;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,5 @@
-// Boxes in frame coordinates, for building and refitting trees: vectors of four floats, of which three are used.
+// A FrameBox is a box in the coordinates of a local frame, for building and refitting trees. Its vectors have four
+// floats, of which three are used.
 #pragma once
 
 #include <algorithm>
@@ -26,15 +27,15 @@ struct FrameBox {
         min = ecods::min(min, box.min);
         max = ecods::max(max, box.max);
     }
-    // Returns half of the surface area.
+    // Returns half of the surface area of the box.
     float surface() const noexcept {
         const Float4 e = max - min;
         return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
     }
 };
 
-// Returns a box that contains the triangle: the box of its computed corners, enlarged by their error bound,
-// coordinate_error.
+// Returns a box that contains the triangle: the box of its corners as computed, enlarged by their error bound,
+// coordinate_error. The box is infinite if the frame is unbounded.
 inline FrameBox box_of(const Mesh& mesh, const Triangle& triangle, const LocalFrame& frame) {
     FrameBox box;
     if (!frame.is_bounded) {
@@ -56,7 +57,7 @@ inline FrameBox box_of(const Mesh& mesh, const Triangle& triangle, const LocalFr
     return box;
 }
 
-// Sets the center and half size of one axis of a box, rounded outwards.
+// Sets the center and the half size of a box on one axis to an interval that contains [min, max].
 inline void set_span(float min, float max, float& center, float& half) noexcept {
     center = max == FrameBox::infinity ? 0 : 0.5f * min + 0.5f * max;
     const double c = static_cast<double>(center);

@@ -1,9 +1,9 @@
-// The bounding volume hierarchy of a mesh: a tree of boxes over its triangles, eight children per node.
+// MeshBvh is the bounding volume hierarchy of a mesh: a tree of boxes over its triangles, with eight children per node.
 //
-// Boxes are aligned with the local frame of the mesh, so they are oriented boxes of the body: RAPID's OBB tree
-// (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996) with one orientation for all boxes of a tree. Because of that,
-// two nodes are tested against each other eight by eight. Numbers are floats, rounded outwards: a box contains its
-// triangles.
+// Boxes are aligned with the local frame of the mesh, so they are oriented boxes of the body. It is the OBB tree of
+// RAPID (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996) with one orientation for all boxes of a tree. The common
+// orientation makes it possible to test two nodes against each other eight by eight. Boxes are floats, rounded
+// outwards, so that a box contains its triangles.
 #pragma once
 
 #include <array>
@@ -17,10 +17,11 @@ namespace ecods {
 
 inline constexpr std::size_t tree_width = 8;
 using FloatLanes = std::array<float, tree_width>;
-// A number for each pair of lanes of two nodes: a squared distance, a rank or a time. Lanes i and j have it at 8 i + j.
+// A number for each pair of lanes of two nodes: a squared distance, a rank or a time. The pair of lanes i and j has
+// index 8 i + j.
 using LaneBounds = std::array<float, tree_width * tree_width>;
 
-// The index of a node or of a leaf, and which of the two it is.
+// The index of a node or of a leaf, with a bit that says if it is a leaf.
 class TreeRef {
   public:
     TreeRef() = default;
@@ -36,33 +37,34 @@ class TreeRef {
     std::uint32_t bits_ = 0;
 };
 
-// A slab along the mean normal of some triangles: low <= normal . y <= high for all of their points y, exactly. On a
-// smooth surface it is much thinner than their box. The normal has a length of about one, or is zero.
+// A slab along the mean normal of some triangles: low <= normal . y <= high holds exactly for all of their points y. On
+// a smooth surface it is much thinner than their box. The length of the normal is about one, or zero.
 struct Slab {
     std::array<float, 3> normal;
     float low;
     float high;
 };
 
-// Eight children with their boxes, and the slab of all of their triangles. Lanes from `count` on repeat the last one.
+// Up to eight children with their boxes, and the slab of all of their triangles. Lanes from `count` on repeat the last
+// child.
 struct alignas(32) BvhNode {
     std::array<FloatLanes, 3> center;
     std::array<FloatLanes, 3> half;  // box: |y - center| <= half on each axis
     std::array<TreeRef, tree_width> child;
     Slab slab;
     std::uint32_t count;
-    bool is_thin;  // the slab is much thinner than the boxes along its normal
+    bool is_thin;  // true if the slab is much thinner than the boxes along its normal
 
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };
 
-// Eight triangles. Coordinates are off by at most corner_error. Lanes from `count` on repeat the last one.
+// Up to eight triangles. Coordinates are off by at most corner_error. Lanes from `count` on repeat the last triangle.
 //
-// The vertices are copies from Mesh::triangles(), 12 bytes a triangle, so that a reader of the exact corners does not
-// first wait for that list. A leaf is seven cache lines.
+// The vertices are copies from Mesh::triangles(), 12 bytes for each triangle, so that code that needs the exact corners
+// does not have to load that list first. A leaf has the size of seven cache lines.
 struct alignas(64) TreeLeaf {
-    std::array<std::array<FloatLanes, 3>, 3> corner;  // by corner and axis
-    std::array<std::uint32_t, tree_width> triangle;   // index in the mesh
+    std::array<std::array<FloatLanes, 3>, 3> corner;  // [corner][axis][lane]
+    std::array<std::uint32_t, tree_width> triangle;   // indices in the mesh
     Slab slab;
     std::uint32_t count;
     std::array<Triangle, tree_width> vertices;
@@ -70,8 +72,8 @@ struct alignas(64) TreeLeaf {
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };
 
-// Bounds the error of a leaf's corner, on each axis: the error of computing a coordinate of size at most one, and of
-// rounding it to a float in any mode.
+// An upper bound of the error of a leaf's corner, on each axis: the error of computing a coordinate of magnitude at
+// most one, and of rounding it to a float in any mode.
 inline constexpr double corner_error = 0x1p-23 + coordinate_error;
 
 struct MeshBvh {
@@ -79,28 +81,28 @@ struct MeshBvh {
     TreeRef root;
     std::array<float, 3> root_center{};
     std::array<float, 3> root_half{};
-    std::vector<BvhNode> nodes;    // parents before children
+    std::vector<BvhNode> nodes;    // parents come before their children
     std::vector<TreeLeaf> leaves;  // from left to right
-    double built_cost = 0;         // tree_cost just after build_mesh_bvh
+    double built_cost = 0;         // tree_cost() just after the tree was built
 
     std::size_t bytes() const noexcept {
         return sizeof(*this) + nodes.capacity() * sizeof(BvhNode) + leaves.capacity() * sizeof(TreeLeaf);
     }
 };
 
-// Builds a binary tree by the surface area heuristic (Goldsmith and Salmon 1987) over bins (Wald 2007), counting leaves
-// of eight in place of triangles. Collapses it to eight children per node such that the sum of the surfaces of the
-// remaining nodes is least (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs through compressed
-// wide BVHs, HPG 2017, section 3). Cost: n log n; no recursion.
+// Builds a binary tree by the surface area heuristic (Goldsmith and Salmon 1987) with bins (Wald 2007), where costs
+// count leaves of eight triangles. Then merges it to a tree with eight children per node such that the sum of the
+// surfaces of the remaining nodes is least (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs
+// through compressed wide BVHs, HPG 2017, section 3). Cost: n log n; no recursion.
 MeshBvh build_mesh_bvh(const Mesh& mesh, const LocalFrame& frame);
 
-// Returns the tree of `mesh`, which must have the triangles of the tree's mesh and may have other vertices: each
-// triangle stays in its leaf, and boxes are computed again. If that raises tree_cost to more than 1.5 times the cost
-// just after building, builds a new tree instead. Cost: one pass, or that of build_mesh_bvh.
+// Returns a tree for `mesh`, which must have the triangles of the tree's mesh and may have other vertices. Each
+// triangle stays in its leaf, and boxes are computed again. If this raises tree_cost() to more than 1.5 times the cost
+// just after building, a new tree is built. Cost: one pass over the triangles, or the cost of build_mesh_bvh().
 MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh);
 
-// Returns the sum of the surfaces of all boxes, divided by the root's, in frame coordinates: the expected number of
-// boxes that a random query visits.
+// Returns the sum of the surfaces of all boxes divided by the root's surface, in frame coordinates: the expected number
+// of boxes that a random query visits.
 double tree_cost(const MeshBvh& tree) noexcept;
 
 }  // namespace ecods

@@ -13,7 +13,7 @@ namespace {
 
 using PrimitiveRefs = std::vector<PrimitiveRef>;
 
-// A range of triangles in the builder's order, and its box.
+// A range of triangles, by their places in the builder's list, and its box.
 struct Range {
     std::uint32_t begin;
     std::uint32_t end;
@@ -22,14 +22,14 @@ struct Range {
     std::uint32_t size() const noexcept { return end - begin; }
 };
 
-// Splits ranges in two by the surface area heuristic.
+// Splits ranges in two parts by the surface area heuristic.
 class Splitter {
   public:
     explicit Splitter(PrimitiveRefs& items) : items_(items) {}
 
-    // Returns the two halves of `part`, neither of them empty. The caller splits depth-first: after a split come the
-    // splits of one half and all its parts, then those of the other half. So the parts of a block come one after the
-    // other.
+    // Returns the two halves of `part`, neither of them empty. The caller must split depth-first: after a split come
+    // all splits of one half, and then all splits of the other half. Therefore the parts of a block are split one after
+    // the other, and one block at a time is kept.
     std::array<Range, 2> split(const Range& part) {
         if (part.size() > SweepSplit::size_max) {
             const std::uint32_t middle = split_by_bins(part);
@@ -60,7 +60,8 @@ class Splitter {
         std::uint32_t count = 0;
     };
 
-    // Splits between bins of equal width. If all middles are equal or boxes are infinite, splits the range in half.
+    // Splits the range at the cheapest border between bins of equal width, and returns the first place of the second
+    // half. If all middles of boxes are equal, or boxes are infinite, it returns the middle of the range.
     std::uint32_t split_by_bins(const Range& part) {
         FrameBox middles;
         for (std::uint32_t i = part.begin; i < part.end; ++i) {
@@ -68,7 +69,7 @@ class Splitter {
             middles.include({middle, middle});
         }
         const Float4 size = middles.max - middles.min;
-        const Float4 factor = static_cast<float>(bin_count) * 0.999f / size;  // so that no item is past the last bin
+        const Float4 factor = static_cast<float>(bin_count) * 0.999f / size;  // so that no item is beyond the last bin
 
         std::array<std::array<Bin, bin_count>, 3> bins{};
         const auto bin_of = [&](const PrimitiveRef& item, int axis) {
@@ -123,20 +124,20 @@ class Splitter {
     std::uint32_t block_begin_ = 0, block_end_ = 0;
 };
 
-// The numbers of roots in the left and in the right half.
+// The numbers of roots into which the left and the right half of a node are divided.
 struct Split {
-    std::uint8_t left = 0;  // both 0: the part is one root
+    std::uint8_t left = 0;  // both are 0 if the node itself is a root
     std::uint8_t right = 0;
 };
 
-// A node of the binary tree from which the wide tree is made.
+// A node of the binary tree, from which the tree with eight children per node is made.
 struct BinaryNode {
     FrameBox box;
     std::uint32_t begin;                     // first item of a leaf
     std::uint32_t count;                     // items of a leaf; 0 for an inner node
-    std::uint32_t child;                     // first child of an inner node; the other follows it
-    Split children;                          // split of an inner node that becomes a wide node
-    std::array<float, tree_width> cost;      // [k - 1]: cost of the part as at most k roots
+    std::uint32_t child;                     // first child of an inner node; the second one follows it
+    Split children;                          // split of an inner node that becomes a node with eight children
+    std::array<float, tree_width> cost;      // [k - 1]: cost of the node as at most k roots
     std::array<Split, tree_width> split_at;  // [k - 1]: the split with that cost
 };
 
@@ -182,8 +183,8 @@ class Builder {
         }
     }
 
-    // Finds from the leaves up the cost of each binary node if it becomes one to eight roots: leaves or eight-wide
-    // nodes, each visited with a probability proportional to its surface.
+    // Computes, from the leaves up, the least cost of each binary node divided into at most one to eight roots. Each
+    // root is a leaf or a node with eight children, and is visited with a probability proportional to its surface.
     void find_costs() {
         for (std::size_t i = binary_.size(); i-- > 0;) {
             BinaryNode& node = binary_[i];
@@ -197,13 +198,14 @@ class Builder {
             node.cost[0] = node.box.surface() + node.cost[tree_width - 1];
             for (std::size_t k = 1; k < tree_width; ++k) {
                 if (node.cost[k - 1] > node.cost[k]) continue;
-                node.cost[k] = node.cost[k - 1];  // fewer than allowed
+                node.cost[k] = node.cost[k - 1];  // fewer roots are cheaper
                 node.split_at[k] = node.split_at[k - 1];
             }
         }
     }
 
-    // Finds the cheapest way to have `count` roots in the two halves of a node.
+    // Sets the cost and the split of a node for `count` roots: the cheapest distribution of `count` roots to its two
+    // halves.
     void find_splits(BinaryNode& node, std::size_t count) {
         const BinaryNode& left = binary_[node.child];
         const BinaryNode& right = binary_[node.child + 1];
@@ -249,13 +251,13 @@ class Builder {
         set_corners_and_slabs(tree_, mesh_);
     }
 
-    // Collects the binary nodes that become the children of the eight-wide node for `top`, from left to right.
+    // Sets `roots` to the binary nodes that become the children of `top`, from left to right, and returns their number.
     std::size_t find_roots(const BinaryNode& top, std::array<std::uint32_t, tree_width>& roots) const {
         struct Subtree {
             std::uint32_t node;
             std::size_t count;
         };
-        std::array<Subtree, tree_width> parts;  // each becomes at least one root, so there are at most eight
+        std::array<Subtree, tree_width> parts;  // at most eight, because each becomes at least one root
         std::size_t part_count = 0, root_count = 0;
         const auto divide = [&](const BinaryNode& node, Split split_at) {
             parts[part_count++] = {node.child + 1, split_at.right};

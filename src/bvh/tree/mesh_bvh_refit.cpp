@@ -5,8 +5,8 @@
 namespace ecods {
 namespace {
 
-// The growth of the cost from which on the tree is rebuilt. Rebuilding costs several times as much as refitting, and
-// pays if many queries follow.
+// The growth of the cost beyond which the tree is rebuilt. Rebuilding costs several times as much as refitting, and is
+// worth it if many queries follow.
 constexpr double cost_growth_max = 1.5;
 
 double surface_of(double x, double y, double z) noexcept {
@@ -27,7 +27,8 @@ double tree_cost(const MeshBvh& tree) noexcept {
     return sum / surface_of(static_cast<double>(half[0]), static_cast<double>(half[1]), static_cast<double>(half[2]));
 }
 
-// Goes through the nodes backwards: parents are before their children, so each box is made before it is read.
+// Computes boxes from the last node to the first. Parents come before their children, so each box is computed before it
+// is read.
 MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh) {
     MeshBvh result = tree;
     result.frame = refit_frame(tree.frame, mesh);
@@ -50,7 +51,7 @@ MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh) {
     }
     set_corners_and_slabs(result, mesh);
     set_root(result, box_at(result.root));
-    // The comparison is false for a NaN, the cost of infinite boxes, which therefore keeps the tree.
+    // If boxes are infinite, the cost is NaN and the comparison false: then the tree is kept.
     if (tree_cost(result) > cost_growth_max * result.built_cost) return build_mesh_bvh(mesh, fit_frame(mesh));
     return result;
 }

@@ -23,7 +23,7 @@ void set_vertices(TreeLeaf& leaf, const Mesh& mesh, const LocalFrame& frame) {
         leaf.vertices[lane] = mesh.triangles()[leaf.triangle[lane]];
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vec3& v = mesh.vertices()[leaf.vertices[lane][corner]];
-            // A frame without bounds has no coordinates; no one reads these zeros.
+            // An unbounded frame has no coordinates. These zeros are never read.
             const Vec3 y = frame.is_bounded ? frame.coordinates(v) : Vec3(0, 0, 0);
             for (std::size_t k = 0; k < 3; ++k) {
                 leaf.corner[corner][k][lane] = round_to_nearest(y[static_cast<Eigen::Index>(k)]);
@@ -32,7 +32,7 @@ void set_vertices(TreeLeaf& leaf, const Mesh& mesh, const LocalFrame& frame) {
     }
 }
 
-// Returns twice the vector area of the leaf's triangles: the sum of their normals times their areas.
+// Returns twice the vector area of the leaf's triangles: the sum of the cross products of their edges.
 Vec3 area_of(const TreeLeaf& leaf) {
     Vec3 sum = Vec3::Zero();
     for (std::size_t lane = 0; lane < leaf.count; ++lane) {
@@ -42,7 +42,7 @@ Vec3 area_of(const TreeLeaf& leaf) {
     return sum;
 }
 
-// Returns the axis on which the mesh has at most 2^-20 of its greatest extent, or -1.
+// Returns the axis on which the extent of the mesh is at most 2^-20 of its greatest extent; -1 if there is none.
 int flat_axis_of(const LocalFrame& frame) {
     for (int axis = 0; axis < 3; ++axis) {
         if (frame.is_bounded && frame.half[axis] <= 0x1p-20 * frame.half.maxCoeff()) return axis;
@@ -51,7 +51,7 @@ int flat_axis_of(const LocalFrame& frame) {
 }
 
 // Returns the direction in the plane of a flat mesh along which the corners of the leaves spread least. Boxes bound the
-// flat axis well already; in the plane slender triangles have boxes that are much too large. With all corners at one
+// flat axis well already, but in the plane the boxes of slender triangles are much too large. If all corners are at one
 // point, any direction may result.
 Vec3 thinnest(std::span<const TreeLeaf> leaves, int flat_axis) {
     const auto k = static_cast<Eigen::Index>(flat_axis + 1) % 3, l = static_cast<Eigen::Index>(flat_axis + 2) % 3;
@@ -77,9 +77,10 @@ Vec3 thinnest(std::span<const TreeLeaf> leaves, int flat_axis) {
     return direction;
 }
 
-// Returns a slab along `area` that contains the triangles of the leaves; any normal is sound. Its products with corners
-// are off by 3.01 u' sum |normal| |y| <= 3.01 u' sqrt(3) (1 + 2^-22), and by corner_error sum |normal| for the corners
-// themselves: below 2 corner_error.
+// Returns a slab along `area` that contains the triangles of the leaves; any normal is sound. The products of the
+// normal with corners are off by 3.01 u' sum |normal| |y| <= 3.01 u' sqrt(3) (1 + 2^-22), and by corner_error sum
+// |normal| for the corners themselves: together below 2 corner_error.
+// Claim: verify/proofs/small_bounds.py
 Slab slab_of(std::span<const TreeLeaf> leaves, const Vec3& area) {
     const double length = area.norm();
     Slab slab{};
@@ -106,8 +107,8 @@ Slab slab_of(std::span<const TreeLeaf> leaves, const Vec3& area) {
     return slab;
 }
 
-// True if the slab is less than a quarter as thick as the boxes of the node's children are along its normal, on
-// average.
+// True if the thickness of the node's slab is less than a quarter of the average extent, along the slab's normal, of
+// the children's boxes.
 bool is_thin(const BvhNode& node) {
     double thickness = 0;
     for (std::size_t lane = 0; lane < node.count; ++lane) {
@@ -118,7 +119,7 @@ bool is_thin(const BvhNode& node) {
     return of_slab * node.count < 0.25 * (2 * thickness);
 }
 
-// The leaves below a node, which are consecutive in the tree's list, and the sum of their areas.
+// The range of the leaves below a node, which are consecutive in the tree's list, and the sum of their vector areas.
 struct LeafRange {
     std::size_t begin, end;
     Vec3 area;

@@ -5,8 +5,8 @@
 namespace ecods {
 namespace {
 
-// Returns a key that increases with the float, and is equal for both zeros. It is made from the bits, so that no
-// floating-point environment changes the order.
+// Returns an integer with the same order as the float; both zeros have the same key. It is computed from the bits, so
+// that the order does not depend on the floating-point environment.
 std::uint32_t order_key(float x) noexcept {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     constexpr std::uint32_t sign = std::uint32_t{1} << 31;
@@ -25,7 +25,8 @@ void SweepSplit::begin(std::span<PrimitiveRef> items) {
     for (std::size_t axis = 0; axis < 3; ++axis) sort(axis);
 }
 
-// Sorts places in copies_ by the middle of the boxes, then by triangle, which is the order of copies_ itself.
+// Sorts indices into copies_ by the middles of the boxes on an axis. Equal middles are sorted by triangle, which is the
+// order of copies_.
 void SweepSplit::sort(std::size_t axis) {
     std::array<std::uint64_t, size_max> keys;
     const std::size_t count = items_.size();
@@ -35,7 +36,8 @@ void SweepSplit::sort(std::size_t axis) {
     for (std::size_t i = 0; i < count; ++i) orders_[axis][i] = static_cast<std::uint8_t>(keys[i]);
 }
 
-// Tries every cut of the part in its order along an axis.
+// Tries every cut of the part [begin, end) in its order along an axis, and sets `best` to the cheapest cut if it is
+// cheaper than `best`.
 void SweepSplit::sweep(std::uint32_t begin, std::uint32_t end, std::size_t axis, Cut& best) const noexcept {
     const Order& order = orders_[axis];
     const std::uint32_t count = end - begin;
@@ -49,12 +51,13 @@ void SweepSplit::sweep(std::uint32_t begin, std::uint32_t end, std::size_t axis,
     for (std::uint32_t i = count - 1; i > 0; --i) {
         box.include(copies_[order[begin + i]].box);
         const float cost = left_cost[i] + box.surface() * leaf_visits(count - i);
-        // All cuts of a flat part may cost zero: then the cut in the middle is taken.
+        // If all cuts of a flat part cost zero, the cut in the middle is taken.
         if (cost < best.cost || (cost == best.cost && best.cost == 0 && i >= count / 2)) best = {cost, i, axis};
     }
 }
 
-// Puts the places of the first side before the others, each side in its order.
+// Partitions a part of an order: indices in `first_side` (bit i is index i) come before the others. Each side keeps its
+// order.
 void SweepSplit::part(Order& order, std::uint32_t begin, std::uint32_t end, std::uint64_t first_side) noexcept {
     Order others;
     std::uint32_t kept = begin, moved = 0;

@@ -1,4 +1,4 @@
-// Splits small sets of triangles by the surface area heuristic, trying every cut along the three axes.
+// SweepSplit splits small sets of triangles by the surface area heuristic; it tries every cut along the three axes.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// A triangle's index and its box; the box has a spare lane, which holds the index.
+// A triangle's box and index. The index is stored in the unused fourth lane of box.min.
 struct PrimitiveRef {
     FrameBox box;
 
@@ -21,7 +21,7 @@ struct PrimitiveRef {
         box.min[3] = std::bit_cast<float>(triangle);
     }
 
-    Float4 middle() const noexcept { return box.min + box.max; }  // twice the middle
+    Float4 middle() const noexcept { return box.min + box.max; }  // twice the middle of the box
     std::uint32_t triangle() const noexcept {
         const float lane = box.min[3];
         return std::bit_cast<std::uint32_t>(lane);
@@ -29,35 +29,36 @@ struct PrimitiveRef {
 };
 static_assert(sizeof(PrimitiveRef) == 32);
 
-// Returns the number of leaves that this many triangles need: the cost of visiting them, since a leaf is tested whole.
+// Returns the number of leaves for `count` triangles. It is the cost of visiting them, since a leaf is tested as a
+// whole.
 inline float leaf_visits(std::uint32_t count) noexcept {
     const std::size_t leaves = (count + tree_width - 1) / tree_width;
     return static_cast<float>(leaves);
 }
 
-// A block of items with their orders along the three axes. The orders are sorted once for the block, and stay sorted
-// while it is cut into smaller and smaller parts.
+// A block of items and their orders along the three axes. Each order is sorted once for the block, and stays sorted
+// while the block is split into smaller and smaller parts.
 class SweepSplit {
   public:
-    static constexpr std::uint32_t size_max = 64;  // for larger blocks, sorting costs more than it gains
+    static constexpr std::uint32_t size_max = 64;  // for larger blocks, sorting costs more than it saves
 
-    // Starts a block of `items`, at most size_max, which must outlive the block.
+    // Starts a block of at most size_max items. `items` must remain valid while the block is split.
     void begin(std::span<PrimitiveRef> items);
 
-    // Splits the part [begin, end) of the block, which is the whole block or one side of an earlier split, and returns
-    // where the second side begins. The items of each side that fits into a leaf are put into their order along the
-    // axis of the cut.
+    // Splits the part [begin, end) of the block, which must be the whole block or one side of an earlier split. Returns
+    // the beginning of the second side. If a side fits into a leaf, its items are put into their order along the axis
+    // of the cut.
     std::uint32_t split(std::uint32_t begin, std::uint32_t end);
 
-    // Returns the box of the part, which must be a side of the last split.
+    // Returns the box of the part [begin, end), which must be one side of the last split.
     FrameBox box_of(std::uint32_t begin, std::uint32_t end) const noexcept;
 
   private:
-    using Order = std::array<std::uint8_t, size_max>;  // places in copies_
+    using Order = std::array<std::uint8_t, size_max>;  // indices into copies_
 
     struct Cut {
         float cost = FrameBox::infinity;
-        std::uint32_t size = 0;  // size of the first side
+        std::uint32_t size = 0;  // number of items in the first side
         std::size_t axis = 0;
     };
 
@@ -67,7 +68,7 @@ class SweepSplit {
     void put_back(std::uint32_t begin, std::uint32_t end);
 
     std::span<PrimitiveRef> items_;
-    std::array<PrimitiveRef, size_max> copies_;  // ascending by triangle
+    std::array<PrimitiveRef, size_max> copies_;  // the items, sorted by triangle
     std::array<Order, 3> orders_;
     std::size_t axis_ = 0;  // axis of the last cut
 };

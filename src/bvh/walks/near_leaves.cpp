@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t stack_size = 64;
 
-// The segment from A to B, on the axes.
+// A segment from a to b, on the axes.
 struct SegmentOnAxes {
     std::array<float, 3> a, b;
-    std::array<float, 3> low, high, middle, reach;  // error included
+    std::array<float, 3> low, high, middle, reach;  // its box, including the error
     float error;
 };
 
@@ -31,7 +31,7 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
     using Base::bits_of, Base::load, Base::part_count;
     using typename Base::Floats, typename Base::Ints;
 
-    // Returns, as bits, the boxes that overlap the box with the center `middle` and the half size `reach`.
+    // Returns a mask of the lanes whose boxes overlap the box with the center `middle` and the half size `reach`.
     ECODS_ALWAYS_INLINE static std::uint32_t meet(const std::array<FloatLanes, 3>& center,
                                                   const std::array<FloatLanes, 3>& half,
                                                   const std::array<float, 3>& middle,
@@ -47,7 +47,7 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
         return bits_of(lanes);
     }
 
-    // Adds a leaf; `box(k)` is its center and half size on an axis.
+    // Adds a leaf to the list. box(k) returns the center and the half size of its box on axis k.
     template <class Box>
     ECODS_ALWAYS_INLINE static void add(NearLeaves& to, TreeRef leaf, const Box& box) noexcept {
         Group& group = to.groups_[to.leaf_count_ / tree_width];
@@ -65,8 +65,9 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
             return;
         }
         FixedStack<TreeRef, stack_size> stack;
-        // Adds leaves at their parent, which holds their boxes, and walks on to inner nodes. Gives up if there are too
-        // many leaves or waiting nodes.
+        // Adds a node's leaves to the list, because the node holds their boxes, and returns the other children to be
+        // visited. Sets is_ready_ to false, which ends the walk, if there are too many leaves or too many nodes that
+        // wait.
         const auto bound = [&](TreeRef ref) -> std::uint32_t {
             if (!result.is_ready_) return 0;
             const BvhNode& node = tree.nodes[ref.index()];
@@ -123,7 +124,7 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
         return std::min(a, b) - slab.high > error || slab.low - std::max(a, b) > error;
     }
 
-    // Writes the triangles that may meet the segment to near.triangles_, and returns their number.
+    // Sets near.triangles_ to the triangles that may meet the segment, and returns their number.
     ECODS_ALWAYS_INLINE static std::size_t find(const MeshBvh& tree, const SegmentOnAxes& s, NearLeaves& near,
                                                 std::uint64_t& tested) noexcept {
         std::size_t count = 0;

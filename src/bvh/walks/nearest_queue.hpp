@@ -1,4 +1,4 @@
-// A queue of pairs of nodes that wait to be visited, nearest first up to a small relative error.
+// NearestQueue is a priority queue of pairs of nodes. Its order is nearest first, up to a small relative error.
 #pragma once
 
 #include <algorithm>
@@ -12,19 +12,19 @@
 
 namespace ecods {
 
-// A pair of nodes or leaves, and a lower bound of the square of its distance, which is finite and not negative.
+// A pair of nodes or leaves, and a lower bound of its squared distance, which is finite and not negative.
 struct NearPair {
     float square;
     NodePair nodes;
 };
 
-// Buckets by the leading bits of the square: 32 for each power of two, so that the distances in a bucket differ by
-// about one part in 64. Within a bucket the pair pushed last is popped first, so that a walk goes deep. Pushing and
-// popping take constant time.
+// A bucket queue. Buckets are chosen by the leading bits of the square: there are 32 for each power of two, so
+// distances in one bucket differ by about one part in 64. Within a bucket the pair that was pushed last is popped
+// first, so that a walk goes deep. push() and pop() take constant time.
 class NearestQueue {
   public:
-    // Removes all pairs. Buckets cover the squares from `limit` down, over 32 powers of two; smaller squares share the
-    // first bucket.
+    // Removes all pairs. Buckets cover squares from `limit` down to 2^-32 of it; all smaller squares share the first
+    // bucket.
     void start(float limit) noexcept {
         base_ = bucket_bits(limit) - static_cast<std::int32_t>(bucket_count - 1);
         words_.fill(0);
@@ -33,7 +33,7 @@ class NearestQueue {
         free_ = none;
     }
 
-    // Adds a pair, whose `square` must be at most the limit of start().
+    // Adds a pair. pair.square must be at most the limit that was passed to start().
     void push(const NearPair& pair) {
         const std::size_t bucket = bucket_of(pair.square);
         const std::size_t word = bucket / 64;
@@ -52,8 +52,8 @@ class NearestQueue {
         first_word_ = std::min(first_word_, word);
     }
 
-    // Pops the next pair whose square is at most `limit`, and discards pairs that come before it. Returns false if
-    // there is none.
+    // Sets `pair` to the next pair whose square is at most `limit`, removes it, and returns true. Pairs with larger
+    // squares that come before it are dropped. Returns false if there is no such pair.
     bool pop(float limit, NearPair& pair) noexcept {
         const std::size_t last = bucket_of(limit);
         for (; first_word_ < words_.size(); ++first_word_) {
@@ -84,7 +84,7 @@ class NearestQueue {
         std::uint32_t next;
     };
 
-    // Returns the leading bits, which order as the floats do since these are not negative.
+    // Returns the leading bits of the square. They have the same order as the floats, since these are not negative.
     static std::int32_t bucket_bits(float square) noexcept {
         return std::bit_cast<std::int32_t>(square) >> dropped_bits;
     }
@@ -95,8 +95,8 @@ class NearestQueue {
 
     std::int32_t base_ = 0;
     std::size_t first_word_ = 0;
-    std::array<std::uint64_t, bucket_count / 64> words_{};  // which buckets hold a pair
-    std::array<std::uint32_t, bucket_count> heads_;         // first pair of each bucket that holds one
+    std::array<std::uint64_t, bucket_count / 64> words_{};  // bit i: bucket i has a pair
+    std::array<std::uint32_t, bucket_count> heads_;         // first pair of each bucket that has one
     std::vector<Link> links_;
     std::uint32_t free_ = none;
 };

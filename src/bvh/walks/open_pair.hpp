@@ -1,5 +1,5 @@
-// Opens a pair of nodes of two trees: distinguishes the four cases of nodes and leaves, and lists the pairs of
-// children.
+// open_pair opens a pair of nodes of two trees: it distinguishes the four cases of nodes and leaves, and lists the
+// pairs of children.
 #pragma once
 
 #include <algorithm>
@@ -15,22 +15,22 @@
 
 namespace ecods {
 
-// A pair of nodes or leaves, one of each tree.
+// A node or leaf of each of two trees.
 struct NodePair {
     TreeRef a;
     TreeRef b;
 };
 
-// Pairs of lanes of two nodes or leaves: bit 8 j + i is lane i of the first and lane j of the second.
+// A set of pairs of lanes of two nodes or leaves: bit 8 j + i is for lane i of the first and lane j of the second.
 class LanePairs {
   public:
     explicit LanePairs(std::uint64_t bits) : bits_(bits) {}
 
-    // The pairs whose first lane is i, and the pairs whose second lane is j.
+    // of_first() returns the pairs whose first lane is i, and of_second() the pairs whose second lane is j.
     LanePairs of_first(std::size_t i) const noexcept { return LanePairs(bits_ & lane_of_each << i); }
     LanePairs of_second(std::size_t j) const noexcept { return LanePairs(bits_ & all_of_one << (tree_width * j)); }
 
-    // Iteration: `for (; pairs.more(); pairs.next())` with i() and j().
+    // Iterate by `for (; pairs.more(); pairs.next())`: i() and j() are the lanes of the current pair.
     bool more() const noexcept { return bits_ != 0; }
     void next() noexcept { bits_ &= bits_ - 1; }
     std::size_t i() const noexcept { return static_cast<std::size_t>(std::countr_zero(bits_)) % tree_width; }
@@ -48,7 +48,7 @@ struct LanesOfOne {
     std::size_t i, j;
 };
 
-// Returns the least of the bounds of the pairs of lanes, of which there must be at least one.
+// Returns the least of the bounds of the given pairs of lanes. There must be at least one pair.
 inline float least_of(const LaneBounds& bounds, LanesOfOne lanes) noexcept {
     return bounds[tree_width * lanes.i + lanes.j];
 }
@@ -58,7 +58,7 @@ inline float least_of(const LaneBounds& bounds, LanePairs lanes) noexcept {
     return least;
 }
 
-// Calls use(x, y) with the BvhNode or TreeLeaf of either tree that the pair refers to, and returns its result.
+// Calls use(x, y) and returns its result; x and y are the BvhNode or TreeLeaf in each tree to which the pair refers.
 template <class Use>
 ECODS_ALWAYS_INLINE decltype(auto) with_nodes(const MeshBvh& a, const MeshBvh& b, const NodePair& pair, Use&& use) {
     if (pair.a.is_leaf()) {
@@ -74,9 +74,9 @@ inline constexpr bool are_leaves = std::is_same_v<X, TreeLeaf>&& std::is_same_v<
 template <class X, class Y>
 inline constexpr bool are_nodes = std::is_same_v<X, BvhNode>&& std::is_same_v<Y, BvhNode>;
 
-// Calls push(children, lanes) for each pair of children of x and y that contains one of the given lanes, in the order
-// of the children. `lanes` is a LanesOfOne if x and y are nodes, otherwise the LanePairs of the child. A leaf beside a
-// node counts as its own child, with all of its lanes. Two leaves have no children.
+// Calls push(children, child_lanes) for each pair of children of x and y with a pair of lanes in `lanes`, in order. If
+// x and y are both nodes, child_lanes is that one pair, a LanesOfOne. If one of them is a leaf, it is paired with each
+// child of the node, and child_lanes are the LanePairs of that child. Not both may be leaves.
 template <class X, class Y, class Push>
 ECODS_ALWAYS_INLINE void push_children(const NodePair& pair, const X& x, const Y& y, LanePairs lanes, Push&& push) {
     static_assert(!are_leaves<X, Y>);
@@ -98,9 +98,9 @@ ECODS_ALWAYS_INLINE void push_children(const NodePair& pair, const X& x, const Y
     }
 }
 
-// Opens a pair. Two leaves go to leaves(x, y), which returns true if the walk goes on. Otherwise bound(x, y) returns
-// the lanes that may matter, as bits of LanePairs, and push(children, lanes) takes their pairs of children. Returns
-// true if the walk goes on.
+// Opens a pair. If both are leaves, returns leaves(x, y), which returns true if the walk should go on. Otherwise calls
+// bound(x, y), which returns the lanes that may matter, as bits of LanePairs, and push(children, child_lanes) for their
+// pairs of children (see push_children()), and returns true.
 template <class Bound, class Push, class Leaves>
 ECODS_ALWAYS_INLINE bool open_pair(const MeshBvh& a, const MeshBvh& b, const NodePair& pair, Bound&& bound, Push&& push,
                                    Leaves&& leaves) {

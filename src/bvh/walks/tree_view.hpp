@@ -1,4 +1,4 @@
-// Adapts the tree of a mesh to walk_one.
+// TreeView makes the tree of a mesh usable by walk_one.
 #pragma once
 
 #include <bit>
@@ -16,7 +16,7 @@ class TreeView {
     using Node = TreeRef;
 
     explicit TreeView(const MeshBvh& tree) : TreeView(tree, tree.root) {}
-    // Views the part of the tree from `root` down.
+    // Makes a view of the subtree at `root`.
     TreeView(const MeshBvh& tree, TreeRef root) : tree_(tree), root_(root) {}
 
     TreeRef root() const noexcept { return root_; }
@@ -24,7 +24,7 @@ class TreeView {
     TreeRef child(TreeRef ref, std::uint32_t lane) const noexcept { return tree_.nodes[ref.index()].child[lane]; }
 
     const TreeLeaf& leaf(TreeRef ref) const noexcept { return tree_.leaves[ref.index()]; }
-    // Calls use(x) with the BvhNode or the TreeLeaf of `ref`, and returns its result.
+    // Calls use(x) and returns its result; x is the BvhNode or the TreeLeaf to which `ref` refers.
     template <class Use>
     decltype(auto) with(TreeRef ref, Use&& use) const {
         return ref.is_leaf() ? use(leaf(ref)) : use(tree_.nodes[ref.index()]);
@@ -35,9 +35,9 @@ class TreeView {
     TreeRef root_;
 };
 
-// Visits the triangles of a tree that matter. `bound(x)`, with a BvhNode or a TreeLeaf x, returns the lanes that may
-// matter, as bits. `result(triangle)` takes each triangle that is left, and returns true if the walk goes on. `stack`
-// is scratch.
+// Visits the triangles of a tree that may matter. bound(x) is called with a BvhNode or a TreeLeaf, and returns a mask
+// of the lanes that may matter. result(triangle) is called for each triangle in these lanes, and returns true if the
+// walk should go on. `stack` is scratch.
 template <class Bound, class Result>
 void walk_triangles(const MeshBvh& tree, std::vector<TreeRef>& stack, Bound&& bound, Result&& result) {
     const TreeView view(tree);

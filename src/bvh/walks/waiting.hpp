@@ -1,4 +1,4 @@
-// A priority queue of items that wait to be visited.
+// Waiting is a priority queue of items that wait to be visited.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 
 namespace ecods {
 
-// A binary heap with the first item in front. `Order` says which of two items comes first, best without branches, since
-// the outcome is unpredictable. Its functions are inlined, so that walks may be compiled for an instruction set.
+// A binary heap with the first item at the front. Order()(a, b) returns true if a comes before b; since its result is
+// unpredictable, it is best written without branches. All functions are inlined, so that walks can be compiled for an
+// instruction set.
 template <class Item, class Order = std::less<Item>>
 class Waiting {
   public:

@@ -1,4 +1,4 @@
-// The walk of one tree along a line, nearest nodes first.
+// walk_line walks one tree along a line and visits the nearest nodes first.
 #pragma once
 
 #include <array>
@@ -14,17 +14,17 @@
 
 namespace ecods {
 
-// A node or leaf that waits to be visited, and a lower bound of the parameter r at which the line meets it.
+// A node or leaf to be visited, and a lower bound of the parameter r at which the line meets it.
 struct LineNode {
     float from;
     TreeRef ref;
 };
 
-// Triangles of a leaf, as bits.
+// Sets of triangles of a leaf, as masks of lanes.
 struct FoundInLeaf {
     std::uint32_t may_meet;  // triangles that may share a point with the line
-    std::uint32_t cross;     // of these, the triangles to whose planes the line is certainly not parallel
-    std::uint32_t inside;    // of these, the triangles that it certainly crosses inside the face, at r in [low, high]
+    std::uint32_t cross;     // of these, triangles whose planes are certainly not parallel to the line
+    std::uint32_t inside;    // of these, triangles that it certainly crosses inside the face, at r in [low, high]
     alignas(32) FloatLanes low, high;
 };
 
@@ -34,7 +34,7 @@ struct LineLanes : ProjectedLanes<width> {
     using Lanes::bits_of, Lanes::load, Lanes::part_count;
     using typename Lanes::Floats, typename Lanes::Ints;
 
-    // Returns, as bits, the lanes whose boxes the line's part up to `limit` may meet, and sets lower bounds of the r at
+    // Returns a mask of the lanes whose boxes the line may meet at r <= limit. Sets `from` to lower bounds of the r at
     // which it meets them.
     ECODS_ALWAYS_INLINE static std::uint32_t find_lanes(const LinePart& line, const BvhNode& node, float limit,
                                                         FloatLanes& from) noexcept {
@@ -63,8 +63,8 @@ struct LineLanes : ProjectedLanes<width> {
         return bits_of(lanes) & node.lanes();
     }
 
-    // Corners of a leaf's triangles as seen along the line from its point `start`: x and y beside the line, and z along
-    // the line, as a difference of parameters.
+    // The corners of a leaf's triangles relative to the line's point `start`: x and y in the projection along the line,
+    // and z as a difference of parameters along the line.
     struct CornersFromLine {
         Floats x[3], y[3], z[3];
 
@@ -91,8 +91,8 @@ struct LineLanes : ProjectedLanes<width> {
         }
     };
 
-    // Finds the triangles of a leaf that the line's part up to `limit` may meet. The line must meet nothing of the leaf
-    // before `from`.
+    // Sets `found` to the triangles of a leaf that the line may meet at r <= limit. The line must not meet any of them
+    // at r < from.
     ECODS_ALWAYS_INLINE static void find_lanes(const LinePart& line, const TreeLeaf& leaf, float from, float limit,
                                                FoundInLeaf& found) noexcept {
         std::array<float, 3> start;
@@ -116,8 +116,8 @@ struct LineLanes : ProjectedLanes<width> {
             const Ints is_outside =
                 (x_low > line.side) | (x_high < -line.side) | (y_low > line.side) | (y_high < -line.side);
             const Ints is_apart = (z_low > (ahead + line.depth)) | (z_high < -(from + line.depth));
-            // Excludes triangles by the point where the line crosses their plane, computed from the weights of the
-            // corners.
+            // Excludes triangles whose plane the line crosses beyond the limit or before its beginning. The crossing is
+            // computed from the weights of the corners.
             const Floats sizes = (absolute(a) + absolute(b)) + absolute(c), all = (a + b) + c;
             const Floats reach = max(absolute(z_low), absolute(z_high)) + (ahead + from);
             const Floats error =
@@ -130,8 +130,8 @@ struct LineLanes : ProjectedLanes<width> {
                 (is_front & ((after > error) | (before < -error))) | (is_back & ((after < -error) | (before > error)));
             lanes[part] = ~(is_beside | is_outside | is_apart | is_beyond) & bits;
             crossed[part] = (is_front | is_back) & bits;
-            // The parameter of a crossing inside the face is the weighted mean of the corners' parameters, and lies
-            // between them.
+            // If the line crosses the face inside, the parameter of the crossing is the weighted mean of the corners'
+            // parameters, and between these.
             const Floats far = max(absolute(z_low), absolute(z_high));
             const Floats all_size = absolute(all), at_plane = ((a * z[0] + b * z[1]) + c * z[2]) / all;
             const Floats doubt_of_it =
@@ -148,7 +148,7 @@ struct LineLanes : ProjectedLanes<width> {
         found.inside = bits_of(inside) & found.cross;
     }
 
-    // Prefetches a node or leaf that is visited soon.
+    // Prefetches a node or leaf that will be visited soon.
     ECODS_ALWAYS_INLINE static void prefetch(const MeshBvh& tree, TreeRef ref) noexcept {
         constexpr std::size_t line = 64;
         const char* const first = ref.is_leaf() ? reinterpret_cast<const char*>(&tree.leaves[ref.index()])
@@ -157,7 +157,8 @@ struct LineLanes : ProjectedLanes<width> {
         for (std::size_t i = 0; i < size; i += line) __builtin_prefetch(first + i);
     }
 
-    // Pushes the lanes of a node on the stack, the nearest last.
+    // Pushes the children in `lanes` on the stack that ends at `top`, sorted such that the nearest is on top. Returns
+    // the new top.
     ECODS_ALWAYS_INLINE static LineNode* push(const MeshBvh& tree, const BvhNode& node, std::uint32_t lanes,
                                               const FloatLanes& from, LineNode* top) noexcept {
         LineNode* const first = top;
@@ -206,11 +207,11 @@ struct LineLanes : ProjectedLanes<width> {
     }
 };
 
-// Visits the leaves that the line may meet, nearly in the order of `from`.
+// Visits the leaves that the line may meet, nearly in the order in which it meets them.
 //
-// `result.limit()` returns the current upper bound of r, at most 1: nodes that are met only beyond it are skipped.
-// `result.visit(leaf, found)` takes the findings on the triangles of a leaf, and may lower the limit.
-// `result.visit_node()` counts inner nodes. `stack` is scratch.
+// `result.limit()` returns the current upper bound of r, at most 1. Nodes that the line meets only beyond it are
+// skipped. `result.visit(leaf, found)` is called for each visited leaf, with the triangles that the line may meet; it
+// may lower the limit. `result.visit_node()` is called for each visited inner node. `stack` is scratch.
 template <class Result>
 void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack, Result& result) {
     dispatch_by_width<LineLanes<4>::template walk<Result>, LineLanes<8>::template walk<Result>>(tree, line, stack,

@@ -1,4 +1,4 @@
-// The walk of two trees of triangles at once, nearest pairs of nodes first.
+// walk_nearest walks two trees of triangles at once and visits the nearest pairs of nodes first.
 #pragma once
 
 #include <concepts>
@@ -10,13 +10,13 @@
 
 namespace ecods {
 
-// A search that walk_nearest serves.
+// The functions that walk_nearest() calls.
 //
-// `limit()` returns the bound beyond which no pair matters: such pairs are not taken from the queue. `find_near(x, y,
-// bounds)` is called once for each visited pair other than two leaves, where x and y are a BvhNode or a TreeLeaf of the
-// first and the second tree. It returns pairs of lanes as bits and sets their bounds, which are finite, as near_mask
-// does. `visits(pair)` is called for each pair taken from the queue, and may lower the limit; if it returns false, the
-// walk ends. `take(x, y)` takes two leaves, and returns true if the walk goes on.
+// `limit()` returns the current limit: pairs whose bound exceeds it are not visited. `find_near(x, y, bounds)` is
+// called once for each visited pair except two leaves; x and y are a BvhNode or a TreeLeaf of the first and the second
+// tree. It returns a mask of pairs of lanes and sets their bounds, which are finite, as near_mask() does.
+// `visits(pair)` is called for each pair that is taken from the queue, and may lower the limit; if it returns false,
+// the walk ends. `take(x, y)` is called for each visited pair of leaves, and returns true if the walk should go on.
 template <class Search>
 concept NearestSearch = requires(Search& search, const BvhNode& node, const TreeLeaf& leaf, LaneBounds& bounds,
                                  const NearPair& pair) {
@@ -28,7 +28,8 @@ concept NearestSearch = requires(Search& search, const BvhNode& node, const Tree
     { search.take(leaf, leaf) } -> std::same_as<bool>;
 };
 
-// Visits pairs of nodes, nearly in the order of their bounds, until no remaining pair can matter. `queue` is scratch.
+// Visits pairs of nodes, nearly in the order of their bounds, until no remaining pair is within the limit. `queue` is
+// scratch.
 template <NearestSearch Search>
 void walk_nearest(const MeshBvh& a, const MeshBvh& b, NearestQueue& queue, Search& search) {
     alignas(32) LaneBounds bounds;

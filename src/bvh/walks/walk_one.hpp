@@ -1,4 +1,4 @@
-// Walks one tree depth first from its root.
+// walk_one walks one tree depth-first from its root.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// A stack that holds at most `capacity` items, and allocates nothing.
+// A stack of at most `capacity` items, stored in the object itself.
 template <class T, std::size_t capacity>
 class FixedStack {
   public:
@@ -30,15 +30,15 @@ class FixedStack {
     std::size_t size_ = 0;
 };
 
-// The child of a node that is visited first.
+// Which child of a node is visited first: the last one or the first one.
 enum class LaneOrder : std::uint8_t { last_first, first_first };
 
-// Visits nodes depth first.
+// Visits the nodes of a tree depth-first.
 //
-// `tree` provides Tree::Node, root(), is_bottom(node) and child(node, lane). `stack` is scratch, a vector or a
-// FixedStack that holds all nodes that can wait at once. `bound(node)` returns the lanes of the node that may matter,
-// as bits; it is called once a node. `result(node, lanes)` takes the lanes of a bottom node, and returns true if the
-// walk goes on. Both are inlined, so a walk is compiled for the instruction set of its caller.
+// `tree` provides Tree::Node, root(), is_bottom(node) and child(node, lane). `stack` is scratch: a vector, or a
+// FixedStack with space for all nodes that can wait at once. bound(node) is called once for each visited node, and
+// returns a mask of the lanes that may matter. result(node, lanes) is called with these lanes for each bottom node, and
+// returns true if the walk should go on. Both are inlined, so a walk is compiled for the instruction set of its caller.
 template <LaneOrder order = LaneOrder::last_first, class Tree, class Stack, class Bound, class Result>
 ECODS_ALWAYS_INLINE void walk_one(const Tree& tree, Stack& stack, Bound&& bound, Result&& result) {
     stack.clear();

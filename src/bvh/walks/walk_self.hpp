@@ -1,4 +1,4 @@
-// The walk of a tree of triangles against itself.
+// walk_self walks a tree of triangles against itself.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,15 @@
 
 namespace ecods {
 
-// The pairs of lanes i < j: each pair of different lanes of a node with itself, once.
+// The pairs of lanes i < j, as bits 8 j + i. For a node with itself these are all pairs of different lanes, once each.
 inline constexpr std::uint64_t lesser_lane_first = [] {
     std::uint64_t bits = 0;
     for (std::size_t j = 0; j < tree_width; ++j) bits |= ((std::uint64_t{1} << j) - 1) << (tree_width * j);
     return bits;
 }();
 
-// A bound that leaves only the pairs of lanes i < j of a node with itself, and does not order children.
+// Calls `bound`, and for a node with itself keeps only the pairs of lanes i < j. It has no order(), so children are not
+// reordered.
 template <class Bound>
 struct SelfBound {
     Bound& bound;
@@ -34,8 +35,9 @@ struct SelfBound {
     }
 };
 
-// Visits pairs of nodes depth first. `result(i, j)` takes each pair of different triangles that `bound` leaves, once,
-// in either order, and returns true if the walk goes on. `bound(x, y)` and `stack` are those of walk_two.
+// Visits pairs of nodes depth-first. result(i, j) is called for each pair of different triangles that `bound` does not
+// exclude, once, with i and j in either order. It returns true if the walk should go on. `bound` and `stack` are as for
+// walk_two().
 template <class Bound, class Result>
 void walk_self(const MeshBvh& tree, std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
     stack.assign(1, NodePair{tree.root, tree.root});
@@ -43,7 +45,7 @@ void walk_self(const MeshBvh& tree, std::vector<NodePair>& stack, Bound&& bound,
     while (!stack.empty()) {
         const NodePair top = stack.back();
         stack.pop_back();
-        // A node with itself: pushes each child with itself, before the pairs of different children.
+        // For a node with itself, each child with itself is pushed before the pairs of different children.
         if (!top.a.is_leaf() && !top.b.is_leaf() && top.a.index() == top.b.index()) {
             const BvhNode& x = tree.nodes[top.a.index()];
             for (std::size_t i = 0; i < x.count; ++i) stack.push_back({x.child[i], x.child[i]});

@@ -1,4 +1,4 @@
-// Walks two trees of triangles at once, from their roots to the pairs of triangles that matter.
+// walk_two walks two trees of triangles at once, from their roots to the pairs of triangles that may matter.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace ecods {
 
-// Visits one pair of nodes: passes pairs of triangles to `result`, or pushes pairs of children. Returns true if the
-// walk goes on.
+// Visits one pair of nodes: calls result() for pairs of triangles, or pushes pairs of children on the stack. Returns
+// true if the walk should go on.
 template <class Bound, class Result>
 ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const NodePair& top,
                                    std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
@@ -42,12 +42,12 @@ ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const Nod
     });
 }
 
-// Visits pairs of nodes depth first.
+// Visits pairs of nodes of two trees depth-first.
 //
-// `bound(x, y)` is called once for each visited pair, where x and y are a BvhNode or a TreeLeaf of the first and the
-// second tree, and returns as bits which pairs of lanes may matter. `bound.order(x, y, pairs, children)`, if it exists
-// for two nodes, may reorder their pairs of children; the last one is visited next. `result(i, j)` takes each pair of
-// triangles that is left, and returns true if the walk goes on. `stack` is scratch.
+// bound(x, y) is called once for each visited pair; x and y are a BvhNode or a TreeLeaf of the first and the second
+// tree. It returns a mask of the pairs of lanes that may matter. If bound.order(x, y, pairs, children) exists for two
+// nodes, it may reorder their pairs of children; the last one is visited next. result(i, j) is called for each pair of
+// triangles that may matter, and returns true if the walk should go on. `stack` is scratch.
 template <class Bound, class Result>
 void walk_two(const MeshBvh& a, const MeshBvh& b, std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
     stack.assign(1, NodePair{a.root, b.root});

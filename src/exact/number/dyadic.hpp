@@ -1,5 +1,5 @@
-// A Dyadic is a double as an integer times a power of two, read from its bits: no floating-point instruction takes
-// part.
+// A Dyadic is a double as an integer times a power of two. It is read from the double's bits, without floating-point
+// instructions.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace ecods::exact {
 
-// Holds m * 2^e with m odd, or m = 0 and e = 0. |m| < 2^53, -1074 <= e <= 971.
+// Holds the number m * 2^e: m is odd, or m = 0 and e = 0. |m| < 2^53, -1074 <= e <= 971.
 struct Dyadic {
     std::int64_t m = 0;
     int e = 0;
@@ -20,7 +20,7 @@ struct Dyadic {
 
 constexpr int mantissa_bits = 53;
 
-// Returns x = m * 2^e; `x` must be finite.
+// Returns x as a Dyadic; x must be finite.
 constexpr Dyadic decode(double x) noexcept {
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
     const int biased = static_cast<int>((bits >> 52) & 0x7ff);
@@ -30,7 +30,7 @@ constexpr Dyadic decode(double x) noexcept {
     if (fraction == 0) return {};
     const int zeros = std::countr_zero(fraction);
     const auto m = static_cast<std::int64_t>(fraction >> zeros);
-    // A subnormal has the exponent of the smallest normal number, without its leading one.
+    // A subnormal number has the exponent of the least normal number, and no implicit leading one.
     const int exponent = (biased == 0 ? 1 : biased) - 1075 + zeros;
     return {bits >> 63 ? -m : m, exponent};
 }
@@ -39,8 +39,8 @@ constexpr std::uint64_t magnitude(std::int64_t m) noexcept {
     return m < 0 ? -static_cast<std::uint64_t>(m) : static_cast<std::uint64_t>(m);
 }
 
-// A BitRange is the range of the binary digits of some numbers: all are multiples of 2^low, and below 2^high in
-// magnitude. It is empty while every number seen was zero.
+// A BitRange is the range of binary digits that some numbers have: all are multiples of 2^low, and below 2^high in
+// magnitude. It is empty as long as only zeros were included.
 struct BitRange {
     static constexpr int none = 1 << 20;
     int low = none;
@@ -59,14 +59,14 @@ struct BitRange {
         low = new_low < low ? new_low : low;
         high = new_high > high ? new_high : high;
     }
-    // Returns the range of all products of a number of range a and a number of range b.
+    // Returns the range of the products of all numbers in range a and all numbers in range b.
     friend constexpr BitRange operator*(const BitRange& a, const BitRange& b) noexcept {
         if (a.empty() || b.empty()) return {};
         return {a.low + b.low, a.high + b.high};
     }
 };
 
-// Holds the difference m * 2^e of two doubles.
+// Holds m * 2^e, the difference of two doubles.
 struct DyadicDifference {
     Int128 m = 0;
     int e = 0;
@@ -78,14 +78,15 @@ struct DyadicDifference {
         range.include(e + trailing_zeros(size), e + bit_width(size));
         return range;
     }
-    // Returns the difference divided by 2^low. 2^low must divide the difference, and the result must fit.
+    // Returns the difference divided by 2^low. 2^low must divide the difference, and the result must fit into 127 bits
+    // and a sign.
     constexpr Int128 at(int low) const noexcept {
         ECODS_ASSERT(m == 0 || (digits().low >= low && digits().high - low <= 127));
         return m == 0 ? 0 : e >= low ? m << (e - low) : m >> (low - e);
     }
 };
 
-// Returns a - b, or nothing if a and b are too far apart for 127 bits and a sign.
+// Returns a - b; nullopt if the difference may not fit into 127 bits and a sign.
 constexpr std::optional<DyadicDifference> subtract(const Dyadic& a, const Dyadic& b) noexcept {
     BitRange both;
     both.include(a);

@@ -8,7 +8,7 @@
 namespace ecods::exact {
 namespace {
 
-// Sets to = a + b, which takes a.size() + 1 limbs. a must have at least as many limbs as b.
+// Sets `to` to a + b, which has a.size() + 1 limbs. a must have at least as many limbs as b.
 void add(NaturalSpan a, NaturalSpan b, std::uint64_t* to) noexcept {
     std::uint64_t carry = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -19,7 +19,7 @@ void add(NaturalSpan a, NaturalSpan b, std::uint64_t* to) noexcept {
     to[a.size()] = carry;
 }
 
-// Sets to = a - b, which takes a.size() limbs. a must be at least b.
+// Sets `to` to a - b, which has a.size() limbs. a must be at least b.
 void subtract(NaturalSpan a, NaturalSpan b, std::uint64_t* to) noexcept {
     std::uint64_t borrow = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {

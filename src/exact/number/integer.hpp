@@ -1,5 +1,5 @@
-// An Integer has any length, and is stored as sign and magnitude. Up to a dozen limbs are stored in place, more on the
-// heap; the work of an operation follows the limbs in use.
+// An Integer is an integer of any length, stored as sign and magnitude. Up to twelve limbs are stored in the object,
+// more on the heap. An operation takes time for the limbs in use only.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class Integer {
         size_ = small_[1] != 0 ? 2 : small_[0] != 0 ? 1 : 0;
         is_negative_ = x < 0;
     }
-    // Converts an integer from two's complement.
+    // Converts an integer in two's complement.
     template <std::size_t L>
     explicit Integer(const std::array<std::uint64_t, L>& x) {
         const Magnitude<static_cast<int>(L)> m = magnitude<static_cast<int>(L)>(x);
@@ -46,10 +46,11 @@ class Integer {
     int sign() const noexcept { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
     bool is_zero() const noexcept { return size_ == 0; }
 
-    // limbs() are the magnitude's, without leading zeros; bit_width() is the number of its bits. Zero has neither.
+    // limbs() returns the magnitude without leading zeros, and bit_width() its number of bits. Both are empty or 0 for
+    // zero.
     NaturalSpan limbs() const noexcept { return {data(), size_}; }
     int bit_width() const noexcept { return exact::bit_width(limbs()); }
-    // Returns how many zero bits the magnitude ends in. Must not be called for zero.
+    // Returns the number of zero bits at the low end of the magnitude. Must not be called for zero.
     int trailing_zeros() const noexcept;
 
     Integer operator-() const&;
@@ -61,7 +62,7 @@ class Integer {
     friend Integer operator-(const Integer& a, const Integer& b) { return sum(a, b, true); }
     friend Integer operator*(const Integer& a, const Integer& b);
 
-    // Operator << multiplies by 2^bits; operator >> divides by 2^bits and rounds towards zero.
+    // Operator << multiplies by 2^bits. Operator >> divides by 2^bits and rounds towards zero.
     friend Integer operator<<(const Integer& a, int bits);
     friend Integer operator>>(const Integer& a, int bits);
 
@@ -74,7 +75,7 @@ class Integer {
 
     const std::uint64_t* data() const noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
     std::uint64_t* data() noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
-    // Reserves space for `size` limbs, whose values are then arbitrary.
+    // Makes space for `size` limbs. Their values are undefined afterwards.
     void reserve(std::size_t size) {
         if (size <= capacity_) return;
         large_ = std::make_unique_for_overwrite<std::uint64_t[]>(size);
@@ -105,8 +106,8 @@ class Integer {
     static Integer sum(const Integer& a, const Integer& b, bool negates_b);
 
     std::uint32_t size_ = 0;
-    std::uint32_t capacity_ = small_limbs;  // greater: the limbs are in large_
-    bool is_negative_ = false;              // either for zero
+    std::uint32_t capacity_ = small_limbs;  // if greater than small_limbs, the limbs are in large_
+    bool is_negative_ = false;              // without meaning for zero
     std::array<std::uint64_t, small_limbs> small_;
     std::unique_ptr<std::uint64_t[]> large_;
 };

@@ -1,8 +1,8 @@
-// An integer kernel computes exact determinants of points with integer coordinates, for one width of coordinates.
+// An integer kernel computes exact determinants of points with integer coordinates of a limited width.
 //
-// A kernel has these types and functions, all of them static:
+// A kernel is a class with these types and static functions:
 //
-//     limb_count               how many limbs of 64 bits a coordinate has
+//     limb_count               number of 64-bit limbs of a coordinate
 //     Point                    three coordinates, each below 2^coordinate_bits in magnitude
 //     Normal                   (b - a) x (c - a), three minors
 //     normal(a, b, c)
@@ -32,8 +32,8 @@ constexpr int determinant_bits(int k) {
     return 3 * k + 6;
 }
 
-// Computes determinants in an Arithmetic, which has a Difference of two Numbers, a Minor of four differences, and a Sum
-// of products of differences and minors.
+// Computes determinants by the types of Arithmetic: Number (a coordinate), Difference (of two Numbers), Minor (a
+// product of Differences minus another one), and Sum (of products of a Difference and a Minor).
 template <class Arithmetic>
 class DeterminantKernel {
   public:
@@ -79,15 +79,16 @@ class DeterminantKernel {
     }
 };
 
-// Coordinates are words of `word_bits` bits, and minors have two words.
+// Arithmetic in which coordinates and their differences are words of `word_bits` bits, and minors are two words.
 template <class Word, class TwoWords, int word_bits, int bits>
 struct WordArithmetic {
     static constexpr int limb_count = word_bits / 64;
     static constexpr int coordinate_bits = bits;
     static_assert(difference_bits(bits) < word_bits, "a difference fits a word with its sign");
     static_assert(minor_bits(bits) < 2 * word_bits, "a minor fits two words with its sign");
-    // A determinant is summed as high * 2^word_bits + low: `low` is three products of a difference and an unsigned
-    // word.
+    // The determinant is the sum of three products of a difference x and a minor n. It is computed as high *
+    // 2^word_bits + low: `high` sums x times the high word of n, and `low` sums x times the low word, which is
+    // unsigned.
     static_assert(difference_bits(bits) + word_bits + 2 < 2 * word_bits, "the low sum fits two words with its sign");
     static_assert(determinant_bits(bits) - word_bits + 1 < 2 * word_bits, "so does the high sum, with the low's carry");
 
@@ -115,11 +116,11 @@ struct WordArithmetic {
     static bool is_zero(const Minor& minor) noexcept { return exact::sign(minor) == 0; }
 };
 
-// OneLimbKernel takes coordinates of up to 60 bits and a sign, TwoLimbKernel of up to 123 bits and a sign.
+// Coordinates of OneLimbKernel have up to 60 bits and a sign, and of TwoLimbKernel up to 123 bits and a sign.
 using OneLimbKernel = DeterminantKernel<WordArithmetic<std::int64_t, Int128, 64, 60>>;
 using TwoLimbKernel = DeterminantKernel<WordArithmetic<Int128, Int256, 128, 123>>;
 
-// Coordinates have up to 64 L - 3 bits and a sign.
+// Arithmetic in which coordinates are integers of L limbs. They have up to 64 L - 3 bits and a sign.
 template <int L>
 struct LimbArithmetic {
     static constexpr int limb_count = L;

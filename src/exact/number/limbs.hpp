@@ -1,4 +1,4 @@
-// Limbs and Magnitude are integers of a fixed number of 64-bit limbs, the least significant limb first.
+// Limbs and Magnitude are integers of a fixed number of 64-bit limbs. The least significant limb is first.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ namespace ecods::exact {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Uint128;
 
-// bit_width and trailing_zeros are std::bit_width and std::countr_zero for 128 bits, which the standard functions need
-// not support. trailing_zeros needs x > 0.
+// bit_width and trailing_zeros do for 128 bits what std::bit_width and std::countr_zero do for 64; the standard
+// functions need not support 128 bits. trailing_zeros must not be called for zero.
 constexpr int bit_width(Uint128 x) noexcept {
     const auto high = static_cast<std::uint64_t>(x >> 64);
     return static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(x)));
@@ -32,12 +32,12 @@ constexpr Uint128 size_of(Int128 x) noexcept {
 
 inline constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
-// Holds an integer in two's complement.
+// An integer of L limbs in two's complement.
 template <int L>
 using Limbs = std::array<std::uint64_t, static_cast<std::size_t>(L)>;
 
-// Holds an integer as sign and magnitude. `negative` is 0 or all_ones, so that it can be used as a mask; for zero it
-// may be either.
+// An integer as sign and magnitude. `negative` is 0 or all_ones, so it can be used as a bit mask. For zero it may be
+// either.
 template <int L>
 struct Magnitude {
     Limbs<L> limbs;
@@ -56,7 +56,8 @@ inline Limbs<L> subtract(const Limbs<L>& a, const Limbs<L>& b) noexcept {
     return result;
 }
 
-// Adds `addend` to the sum, or subtracts it if `negative` is all_ones: -x is the complement of x plus one.
+// Adds `addend` to `sum`, or subtracts it if `negative` is all_ones. A number is subtracted by adding its complement
+// plus one.
 template <int L>
 inline void add_signed(Limbs<L>& sum, const Limbs<L>& addend, std::uint64_t negative) noexcept {
     std::uint64_t carry = negative & 1;
@@ -74,8 +75,8 @@ inline Magnitude<L> magnitude(const Limbs<L>& a) noexcept {
     return result;
 }
 
-// Products of more pairs of limbs than this are compiled out of line: inlined and unrolled at each call, they were a
-// tenth of the library's code and of its compile time.
+// Products of numbers with more pairs of limbs than this are functions of their own. Inlined and unrolled at each call,
+// they were a tenth of the library's code and of its compile time.
 inline constexpr int inlined_products_max = 16;
 
 template <int A, int B>
@@ -96,7 +97,8 @@ template <int A, int B>
     multiply_into<A, B>(product, a, b);
 }
 
-// Returns a * b, which always fits. Zero limbs of long `a` are skipped: long numbers often have leading zeros.
+// Returns a * b, which always fits. Zero limbs of `a` are skipped if it has more than four, because long numbers often
+// have leading zeros.
 template <int A, int B>
 inline Limbs<A + B> multiply(const Limbs<A>& a, const Limbs<B>& b) noexcept {
     Limbs<A + B> product{};
@@ -115,7 +117,7 @@ inline bool is_zero(const Limbs<L>& a) noexcept {
     return any == 0;
 }
 
-// Returns the sign of a number: -1, 0 or 1.
+// Returns -1, 0 or 1: the sign of a.
 template <int L>
 inline int sign(const Limbs<L>& a) noexcept {
     return (a[L - 1] >> 63) ? -1 : !is_zero<L>(a);
@@ -130,7 +132,7 @@ inline int sign(Int128 a) noexcept {
     return (a > 0) - (a < 0);
 }
 
-// Holds an integer of 256 bits in two's complement.
+// An integer of 256 bits in two's complement.
 struct Int256 {
     Uint128 low;
     Int128 high;
@@ -150,8 +152,8 @@ inline int sign(const Int256& a) noexcept {
     return a.high < 0 ? -1 : a.high != 0 || a.low != 0;
 }
 
-// high_word and low_word are the halves of an integer of two words; widened extends an integer of one word to two
-// words.
+// high_word and low_word return the two words of an integer of two words. widened extends an integer of one word to
+// two, with its sign.
 inline std::int64_t high_word(Int128 x) noexcept {
     return static_cast<std::int64_t>(x >> 64);
 }
@@ -174,7 +176,7 @@ inline Int256 widened(Int128 x) noexcept {
 inline Int128 multiply(std::int64_t a, std::int64_t b) noexcept {
     return Int128{a} * b;
 }
-// Returns a * b. The signed product reads b as b - 2^64 if b's top bit is set, and then lacks a * 2^64.
+// Returns a * b. The signed multiplication reads b as b - 2^64 if b's top bit is set; then a * 2^64 is added.
 inline Int128 multiply_unsigned(std::int64_t a, std::uint64_t b) noexcept {
     const auto top = static_cast<std::uint64_t>(static_cast<std::int64_t>(b) >> 63);  // all ones if b's top bit is set
     const std::uint64_t missing = static_cast<std::uint64_t>(a) & top;
@@ -182,7 +184,7 @@ inline Int128 multiply_unsigned(std::int64_t a, std::uint64_t b) noexcept {
                                (Uint128{missing} << 64));
 }
 
-// Returns a * b of unsigned numbers, from the products of their 64-bit halves.
+// Returns a * b for unsigned a and b, from products of their 64-bit halves.
 inline Int256 multiply_halves(Uint128 a, Uint128 b) noexcept {
     const auto a0 = static_cast<std::uint64_t>(a), a1 = static_cast<std::uint64_t>(a >> 64);
     const auto b0 = static_cast<std::uint64_t>(b), b1 = static_cast<std::uint64_t>(b >> 64);
@@ -192,7 +194,7 @@ inline Int256 multiply_halves(Uint128 a, Uint128 b) noexcept {
             static_cast<Int128>(p11 + (p01 >> 64) + (p10 >> 64) + (middle >> 64))};
 }
 
-// Returns a * b. A negative `a` read as unsigned is a + 2^128, so that product is 2^128 b too large.
+// Returns a * b. If a is negative, the unsigned multiplication reads it as a + 2^128; then 2^128 b is subtracted.
 inline Int256 multiply_unsigned(Int128 a, Uint128 b) noexcept {
     Int256 p = multiply_halves(static_cast<Uint128>(a), b);
     p.high = static_cast<Int128>(static_cast<Uint128>(p.high) - (static_cast<Uint128>(a >> 127) & b));
@@ -206,12 +208,12 @@ inline Int256 multiply(Int128 a, Int128 b) noexcept {
     return p;
 }
 
-// Returns limb i; limbs beyond the last one repeat its sign bit.
+// Returns limb i of a. Limbs beyond the last one are filled with the sign bit.
 inline std::uint64_t limb_at(std::span<const std::uint64_t> a, std::size_t i) noexcept {
     return i < a.size() ? a[i] : (a.back() >> 63) ? all_ones : 0;
 }
 
-// Returns a >> shift in M limbs, with the sign extended. The result must fit.
+// Returns a >> shift in M limbs, with the sign extended. The result must fit into M limbs.
 template <int M>
 inline Limbs<M> shift_right(std::span<const std::uint64_t> a, int shift) noexcept {
     const auto skip = static_cast<std::size_t>(shift) / 64;
@@ -225,7 +227,7 @@ inline Limbs<M> shift_right(std::span<const std::uint64_t> a, int shift) noexcep
     return result;
 }
 
-// Adds term * 2^shift to the sum. The result must fit.
+// Adds term * 2^shift to `sum`. The result must fit.
 template <int L>
 inline void add_shifted(Limbs<L>& sum, Int128 term, int shift) noexcept {
     ECODS_ASSERT(shift >= 0);

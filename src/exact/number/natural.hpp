@@ -1,5 +1,5 @@
-// A Natural is a natural number of any length up to a capacity, least significant limb first. The work of an operation
-// follows the limbs in use.
+// A Natural is a natural number of any length up to a capacity; the least significant limb is first. An operation takes
+// time for the limbs in use only.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace ecods::exact {
 
-// Refers to the limbs of a natural number without leading zero limbs; zero has no limbs.
+// Refers to the limbs of a natural number without its leading zero limbs; zero has no limbs.
 using NaturalSpan = std::span<const std::uint64_t>;
 
 inline NaturalSpan without_leading_zeros(NaturalSpan limbs) noexcept {
@@ -27,7 +27,7 @@ inline int bit_width(NaturalSpan a) noexcept {
     return a.empty() ? 0 : static_cast<int>(64 * a.size()) - std::countl_zero(a.back());
 }
 
-// Sets product = a * b, which takes a.size() + b.size() limbs.
+// Sets `product` to a * b, which has a.size() + b.size() limbs.
 inline void multiply(NaturalSpan a, NaturalSpan b, std::uint64_t* product) noexcept {
     std::fill_n(product, a.size() + b.size(), 0);
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -46,7 +46,7 @@ class Natural {
   public:
     Natural() noexcept = default;
     explicit Natural(std::uint64_t x) noexcept { assign({&x, 1}); }
-    // Copies the limbs in use.
+    // Copying copies only the limbs in use.
     Natural(const Natural& other) noexcept { assign(other.limbs()); }
     Natural& operator=(const Natural& other) noexcept {
         if (this != &other) assign(other.limbs());
@@ -74,7 +74,7 @@ class Natural {
     std::array<std::uint64_t, capacity> limbs_;
 };
 
-// Returns limb i of a * 2^shift, shift >= 0.
+// Returns limb i of a * 2^shift; shift must be >= 0.
 inline std::uint64_t limb_of_shifted(NaturalSpan a, int shift, std::size_t i) noexcept {
     const std::size_t skip = static_cast<std::size_t>(shift) / 64;
     const int bits = shift % 64;
@@ -84,7 +84,7 @@ inline std::uint64_t limb_of_shifted(NaturalSpan a, int shift, std::size_t i) no
     return bits == 0 || i == skip ? high : high | limb(i - skip - 1) >> (64 - bits);
 }
 
-// Returns the sign of a * 2^shift - b, for a shift of either sign.
+// Returns the sign of a * 2^shift - b; shift may be negative.
 inline int compare_shifted(NaturalSpan a, int shift, NaturalSpan b) noexcept {
     if (a.empty() || b.empty()) return static_cast<int>(!a.empty()) - static_cast<int>(!b.empty());
     const int width_a = bit_width(a) + shift, width_b = bit_width(b);

@@ -39,7 +39,7 @@ Polynomial operator*(const Polynomial& p, const Polynomial& q) {
     return result;
 }
 
-// Evaluates 2^(bits * degree) times the value at m / 2^bits, by Horner's scheme.
+// Computes 2^(bits * degree) times the value at s = m / 2^bits, by Horner's scheme, and returns its sign.
 int Polynomial::sign_at(const BinaryFraction& s) const {
     const int d = degree();
     if (d < 0) return 0;
@@ -48,7 +48,8 @@ int Polynomial::sign_at(const BinaryFraction& s) const {
     return value.sign();
 }
 
-// Evaluates a^d times the value at b / a, the root of `linear`; a^d is negative for odd d and negative a.
+// Computes a^d times the value at b / a, the root of `linear`, by Horner's scheme. a^d is negative if a is and d is
+// odd: then the sign is changed.
 int Polynomial::sign_at_root_of(const Polynomial& linear) const {
     ECODS_ASSERT(linear.degree() == 1);
     const int d = degree();
@@ -64,7 +65,7 @@ int Polynomial::sign_at_root_of(const Polynomial& linear) const {
     return d % 2 == 1 && a.sign() < 0 ? -sign : sign;
 }
 
-// Shifts the polynomial's argument with sums and products by m only (Shaw and Traub).
+// Shifts the polynomial's argument by repeated sums and products by m (the method of Shaw and Traub).
 Polynomial Polynomial::moved_to(const BinaryFraction& from) const {
     const int d = degree();
     Coefficients t;
@@ -119,7 +120,7 @@ Polynomial gcd(Polynomial p, Polynomial q) {
     while (!q.is_zero()) {
         const int d = q.degree();
         while (p.degree() >= d && !p.is_zero()) {
-            // Replaces p by q[d] p - p[e] s^(e - d) q, whose leading terms cancel.
+            // Replaces p by q[d] p - p[e] s^(e - d) q, in which the leading terms cancel.
             const int e = p.degree();
             Polynomial::Coefficients rest;
             for (int i = 0; i < e; ++i) {

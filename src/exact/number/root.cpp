@@ -1,9 +1,9 @@
 // Roots are isolated by sign changes of Bernstein coefficients (Collins and Akritas, Polynomial real root isolation
-// using Descartes's rule of signs, SYMSAC 1976), which ends for polynomials without multiple roots.
+// using Descartes's rule of signs, SYMSAC 1976). For polynomials without multiple roots this terminates.
 //
-// Multiple roots of a polynomial p of degree at most three are rational. A cubic has at most one double root, which is
-// the root of the linear gcd(p, p'). A quadratic with a double root, or a cubic with a triple root, is a multiple of a
-// power of one linear polynomial.
+// A multiple root of a polynomial p of degree at most three is rational. If a cubic has a double root, it has only one,
+// which is the root of the linear polynomial gcd(p, p'). A quadratic with a double root, or a cubic with a triple root,
+// is a multiple of a power of a linear polynomial.
 #include "exact/number/root.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace ecods::exact {
 namespace {
 
-constexpr int first_bits = 60;  // fractions below 2^-60 fit a limb
+constexpr int first_bits = 60;  // the first width to which roots are refined; such fractions fit into one limb
 
 BinaryFraction next(const BinaryFraction& x) {
     return {x.m + Integer(std::int64_t{1}), x.bits};
@@ -35,7 +35,7 @@ int first_sign(const Polynomial::Coefficients& coefficients) {
     return 0;
 }
 
-// Returns the sign that all coefficients have; 0 if their signs differ or one is zero.
+// Returns the sign of the coefficients if all have the same sign; 0 if signs differ or a coefficient is zero.
 int common_sign(const Polynomial::Coefficients& coefficients, int degree) {
     const int sign = coefficients[0].sign();
     for (int i = 1; i <= degree; ++i) {
@@ -44,9 +44,9 @@ int common_sign(const Polynomial::Coefficients& coefficients, int degree) {
     return sign;
 }
 
-// Returns the bits of the double nearest to (m + rest) / 2^bits, where rest = 0 if it is exact and 0 < rest < 1
-// otherwise. The number is positive and at most 1, and m has at least 54 bits, or 2^-bits is at most half the least
-// double.
+// Returns the bits of the double nearest to (m + rest) / 2^bits, where rest = 0 if is_exact, and 0 < rest < 1
+// otherwise. The number must be positive and at most 1. m must have at least 54 bits, or 2^-bits must be at most half
+// the least double.
 std::uint64_t nearest(const BinaryFraction& x, bool is_exact) {
     constexpr int least = -1074;
     const int width = x.m.bit_width();
@@ -63,11 +63,11 @@ std::uint64_t nearest(const BinaryFraction& x, bool is_exact) {
         const int side = compare(x.m - (whole << drop), half);
         if (side > 0 || (side == 0 && (!is_exact || (kept & 1) != 0))) ++kept;
     }
-    // A carry out of the digits rightly goes on into the exponent.
+    // A carry out of the digits increases the exponent, as it should.
     return (static_cast<std::uint64_t>(exponent - least) << 52) + kept;
 }
 
-// Appends the root of a linear polynomial if it is in the interval.
+// Appends the root of `linear`, which has degree 1, to `roots` if it is in (0, 1].
 void add_rational(Polynomial linear, std::vector<Root>& roots) {
     const Polynomial::Coefficients ends = linear.on_interval({});
     if (ends[0].is_zero()) return;
@@ -80,7 +80,7 @@ void add_rational(Polynomial linear, std::vector<Root>& roots) {
     }
 }
 
-// Returns the roots of p, which has a multiple root; d = gcd(p, p') has degree one at least.
+// Returns the roots in (0, 1] of p, which must have a multiple root. d is gcd(p, p'), of degree at least 1.
 std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
     std::vector<Root> roots;
     const Integer two(std::int64_t{2}), three(std::int64_t{3});
@@ -89,7 +89,8 @@ std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
     } else if (d.degree() == 2) {
         add_rational({p[2], three * p[3]}, roots);
     } else {
-        // The roots add up to -p2 / p3. The double root is -d0 / d1, so the single root is -p2 / p3 + 2 d0 / d1.
+        // The sum of the three roots is -p2 / p3. The double root is -d0 / d1, so the single root is -p2 / p3 + 2 d0 /
+        // d1.
         add_rational(d, roots);
         add_rational({p[2] * d[1] - two * (d[0] * p[3]), p[3] * d[1]}, roots);
         if (roots.size() == 2 && compare(roots[0], roots[1]) > 0) std::swap(roots[0], roots[1]);
@@ -97,12 +98,12 @@ std::vector<Root> multiple_roots(const Polynomial& p, const Polynomial& d) {
     return roots;
 }
 
-// Returns k > 0 such that p has no root above 2^-k up to 1, or 0 if no k is found.
+// Returns k > 0 such that p has no root in (2^-k, 1]; 0 if no such k is found.
 //
-// A term p_j s^j that is larger than all others together at s = 2^-k and at s = 1 is larger between, too: each ratio
-// |p_i s^i| / |p_j s^j| is a convex function of log s. At s = 1 the ratio is less than 1/4 if p_i is shorter than p_j
-// by three bits. At s = 2^-k it is less than 1/4 for i < j if k (j - i) is at most the rest of the difference of their
-// bits; for i > j it is smaller there than at 1.
+// Suppose that a term p_j s^j is larger than all other terms together at s = 2^-k and at s = 1. Then it is larger at
+// all s between: each ratio |p_i s^i| / |p_j s^j| is a convex function of log s. At s = 1 the ratio is less than 1/4 if
+// p_i has at least three bits less than p_j. At s = 2^-k and for i < j it is less than 1/4 if k (j - i) is at most the
+// number of bits beyond these three. For i > j the ratio is smaller at 2^-k than at 1.
 int bits_without_roots(const Polynomial& p) {
     for (int j = 1; j <= p.degree(); ++j) {
         const int width = p[j].bit_width();
@@ -117,7 +118,7 @@ int bits_without_roots(const Polynomial& p) {
     return 0;
 }
 
-// Returns the roots of p, which has no multiple roots.
+// Returns the roots of p in (0, 1]. p must have no multiple roots.
 std::vector<Root> simple_roots(const Polynomial& p) {
     std::vector<Root> roots;
     const int degree = p.degree();
@@ -130,8 +131,8 @@ std::vector<Root> simple_roots(const Polynomial& p) {
     while (!open.empty()) {
         Open top = std::move(open.back());
         open.pop_back();
-        // Drops the part above 2^-bits, which has no root: the depth then follows the number of roots and their
-        // distances from each other, not from 0.
+        // Skips the part above 2^-bits, which contains no root. So the depth of subdivision depends on the number of
+        // roots and their distances from each other, not on their distances from 0.
         if (const int bits = bits_without_roots(top.local); bits > 0) {
             top.from = {top.from.m << bits, top.from.bits + bits};
             top.local = top.local.moved_to({{}, bits});
@@ -145,7 +146,7 @@ std::vector<Root> simple_roots(const Polynomial& p) {
             if (ends_at_root) roots.emplace_back(std::move(end));
             continue;
         }
-        // A root at the middle counts as the end of the left half.
+        // A root at the middle belongs to the left half, as its end.
         const BinaryFraction left{{}, 1}, right{Integer(std::int64_t{1}), 1};
         const BinaryFraction middle{top.from.m + top.from.m, top.from.bits + 1};
         open.push_back({next(middle), top.local.moved_to(right)});
@@ -205,8 +206,8 @@ void Root::move_to(const BinaryFraction& part) {
     local_.drop_zeros();
 }
 
-// Interpolates between the leading bits of the values at both ends, which have opposite signs unless one of them is
-// zero.
+// Interpolates linearly between the values at both ends, by their leading bits. The values have opposite signs, or one
+// of them is zero.
 std::int64_t Root::guess(int bits) const {
     constexpr int kept = 60;
     const Integer &first = local_[0], last = local_[0] + local_[1] + local_[2] + local_[3];
@@ -221,8 +222,9 @@ std::int64_t Root::guess(int bits) const {
     return std::min(part, (std::int64_t{1} << bits) - 1);
 }
 
-// Shortens the interval by quadratic interval refinement (Abbott 2014). Where the polynomial is nearly linear, the
-// guessed part has the root, and gain_ is doubled. Otherwise the interval and gain_ are halved.
+// Uses quadratic interval refinement (Abbott 2014). If the guessed one of 2^gain_ parts contains the root, the interval
+// becomes that part, and gain_ is doubled: so it is where the polynomial is nearly linear. Otherwise the interval and
+// gain_ are halved.
 void Root::shorten() {
     constexpr int gain_max = 48;
     const auto is_below = [&](std::int64_t m, int bits, int& sign) {
@@ -251,8 +253,8 @@ void Root::refine(int bits) {
     while (!is_fraction_ && from_.bits < bits) shorten();
 }
 
-// The divisor has this root or no root in the interval. Sign changes exceed the number of its roots by an even number,
-// so an odd count means that it has the root.
+// In the interval the divisor has either this root alone or no root. The number of sign changes exceeds the number of
+// its roots by an even number, so an odd count means that it has the root.
 bool Root::is_root_of_divisor(const Polynomial& divisor) const {
     const int degree = divisor.degree();
     return degree > 0 && sign_changes(divisor.on_interval(from_), degree) % 2 == 1;
@@ -284,7 +286,7 @@ int compare(Root& x, Root& y) {
         if (x.is_fraction_) return -Root::compare_with_fraction(y, x.from_);
         if (compare_fractions(x.from_, next(y.from_)) >= 0) return 1;
         if (compare_fractions(next(x.from_), y.from_) <= 0) return -1;
-        // One of two such intervals that overlap contains the other.
+        // Both intervals come from repeated halving. If they overlap, one contains the other.
         const Root& inner = x.from_.bits >= y.from_.bits ? x : y;
         if (bits == 2 * first_bits && inner.is_root_of_divisor(gcd(x.p_, y.p_))) return 0;
         x.refine(bits);
@@ -293,8 +295,8 @@ int compare(Root& x, Root& y) {
 }
 
 double Root::round() {
-    // Midpoints of neighbouring doubles have 54 digits or are multiples of 2^-1075: none lies strictly inside an
-    // interval whose ends have as many.
+    // The midpoint of two neighbouring doubles has 54 digits, or is a multiple of 2^-1075. So no midpoint lies strictly
+    // inside an interval whose ends have that many digits.
     constexpr int digits = 54, bits_max = 1075;
     while (!is_fraction_ && from_.m.bit_width() < digits && from_.bits < bits_max) shorten();
     if (from_.m.is_zero()) return std::bit_cast<double>(std::uint64_t{1});

@@ -1,5 +1,5 @@
-// A Root is a root of a polynomial with integer coefficients, as an exact number: it can be compared, rounded, and put
-// into other polynomials.
+// A Root is an exact real number: a root of a polynomial with integer coefficients. It can be compared and rounded, and
+// other polynomials can be evaluated at it.
 #pragma once
 
 #include <cstdint>
@@ -10,56 +10,60 @@
 
 namespace ecods::exact {
 
-// Holds one real number in the interval from 0 to 1, 0 excluded. It is either a binary fraction, or the only root of a
-// polynomial strictly between m / 2^bits and (m + 1) / 2^bits, and a simple root. Questions shorten the interval, and
-// it stays shorter.
+// Holds a real number in (0, 1]: either a binary fraction, or the only root of a polynomial strictly between m / 2^bits
+// and (m + 1) / 2^bits, which must be a simple root. Functions may shorten the interval, and keep the shorter one.
 class Root {
   public:
-    // Makes the number `value` itself.
+    // Makes the root that is equal to `value`.
     explicit Root(BinaryFraction value);
-    // Makes the root of p between `from` and the next fraction; `local` is p moved there. The Bernstein coefficients of
-    // p on that interval have one change of sign, and the first of them that is not zero has the sign `sign_below`.
+    // Makes the root of p between `from` and the next fraction with the same denominator. `local` is p.moved_to(from).
+    // The Bernstein coefficients of p on that interval must have exactly one change of sign. `sign_below` is the sign
+    // of the first coefficient that is not zero.
     Root(Polynomial p, BinaryFraction from, Polynomial local, int sign_below);
 
-    // Returns the sign of g at the number. The work is bounded: a common divisor of both polynomials proves a zero.
+    // Returns the sign of g at this number. The interval is shortened until the sign is certain; a common divisor of
+    // both polynomials proves that the value is zero, which bounds the work.
     int sign_of(const Polynomial& g);
 
-    // Returns the sign of x - y.
+    // Returns the sign of x - y. May shorten the intervals of both.
     friend int compare(Root& x, Root& y);
 
-    // Returns the nearest double, ties to even; at least 2^-1074.
+    // Returns the nearest double, ties to even, but at least 2^-1074.
     double round();
-    // True if the number is above x, a positive double.
+    // True if this number is greater than x, which must be a positive double.
     bool is_above(double x);
 
   private:
     static int compare_with_fraction(Root& x, const BinaryFraction& y);
 
-    // Shortens the interval until its ends have at least `bits` bits, or until the number is known as a fraction.
+    // Shortens the interval until its denominator is at least 2^bits, or until the number is known as a fraction.
     void refine(int bits);
-    // Shortens the interval to one of 2^gain_ equal parts, or to a half.
+    // Shortens the interval to one of its 2^gain_ equal parts, or to one of its halves.
     void shorten();
-    // Shortens the interval to the part that begins at part.m / 2^part.bits of its length.
+    // Shortens the interval to part number part.m (from 0) of its 2^part.bits equal parts.
     void move_to(const BinaryFraction& part);
     void set_fraction(const BinaryFraction& part);
-    // Returns the one of 2^bits equal parts in which a straight line between the values at the ends is zero.
+    // Returns the number (from 0) of the one of the interval's 2^bits equal parts in which the straight line between
+    // the values at both ends is zero.
     std::int64_t guess(int bits) const;
-    // True if the number is a root of `divisor`, which divides a polynomial that has the number as a root.
+    // True if this number is a root of `divisor`. `divisor` must divide a polynomial that has this number as its only
+    // root in the interval.
     bool is_root_of_divisor(const Polynomial& divisor) const;
 
-    Polynomial p_;  // zero for a fraction
+    Polynomial p_;  // zero polynomial if is_fraction_
     BinaryFraction from_;
-    Polynomial local_;  // p as a polynomial on the interval from 0 to 1: moved to from_
+    Polynomial local_;  // a multiple of p_.moved_to(from_): the interval is [0, 1]
     int sign_below_ = 0;
     int gain_ = 1;
     bool is_fraction_ = false;
 };
 
-// Returns the roots of p in the interval from 0 to 1, 0 excluded, each once, ascending; the zero polynomial gets none.
+// Returns the roots of p in (0, 1], each once, in ascending order; an empty list for the zero polynomial.
 std::vector<Root> roots_in_unit_interval(Polynomial p);
 
-// Returns the roots of p in `count` intervals of length 2^-bits from `from` on, the left end excluded; all intervals
-// are within [0, 1]. Returns nothing if one of them may have two or more roots.
+// Returns the roots of p in the `count` consecutive intervals of length 2^-bits that begin at `from` = m / 2^bits; the
+// left end of the first one is excluded. All intervals must be within [0, 1]. Returns nullopt if an interval may
+// contain two or more roots.
 std::optional<std::vector<Root>> simple_roots_in(Polynomial p, BinaryFraction from, int count);
 
 }  // namespace ecods::exact

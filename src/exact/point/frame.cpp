@@ -6,8 +6,8 @@
 namespace ecods::exact {
 namespace {
 
-// Divides coordinates by the unit of their axis. Division rounds correctly, so it is exact if the coordinates are
-// multiples of the unit and the quotients are doubles.
+// Divides the coordinates by the unit of their axis. If they are multiples of the unit and the quotients are doubles,
+// this is exact, because division rounds correctly.
 void divide(Point& p, const Vec3& unit) noexcept {
     for (std::size_t k = 0; k < 3; ++k) p[k] /= unit[static_cast<Eigen::Index>(k)];
 }
@@ -36,7 +36,8 @@ void Frame::pose(std::size_t body, std::uint32_t vertex, Point& p) const noexcep
     if (is_counted_) divide(p, unit_);
 }
 
-// Finds bounds from the posed boxes of all bodies: each has |R| times half the mesh's box around its posed center.
+// Sets delta_ and extent_ from the posed boxes of all bodies. A posed box has |R| times half the mesh's box around the
+// posed center.
 void Frame::find_bounds() noexcept {
     delta_ = 0;
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -52,16 +53,17 @@ void Frame::find_bounds() noexcept {
         low = low.cwiseMin(center - half);
         high = high.cwiseMax(center + half);
     }
-    // The boxes have rounding errors of their own: each of center, half and their sums is within delta of its value.
+    // 8 delta covers the rounding errors of the boxes: each of center, half and their sums is within delta of its exact
+    // value.
     extent_ = high - low + Vec3::Constant(8 * delta_);
 }
 
-// Finds the width of all exact coordinates, and from the width the arithmetic.
+// Measures the width of all exact coordinates, and chooses the cheapest arithmetic for it.
 void Frame::measure_digits() noexcept {
     arithmetic_ = Arithmetic::many_limbs;
     integers_.measure();
     if (!integers_.is_exact()) return;
-    // A coordinate is a sum of three products and a translation, which takes two more bits.
+    // A coordinate is a sum of three products and a translation. The sum needs two more bits than its terms.
     const BitRange& digits = integers_.digits();
     const bool is_one_limb = digits.width() + 2 <= OneLimbKernel::coordinate_bits;
     arithmetic_ = is_one_limb ? Arithmetic::one_limb : Arithmetic::two_limbs;
@@ -76,8 +78,8 @@ void Frame::measure_digits() noexcept {
     to_integers_ = std::ldexp(1.0, -integers_.unit());
 }
 
-// True if points with these digits are posed without a rounding error, and no number is near the ends of the range of
-// doubles. Every partial sum of R v + d is a multiple of 2^low below 2^(high + 2), hence a double.
+// True if points whose terms have these digits are posed without rounding errors, far from underflow and overflow. This
+// is so because every partial sum of R v + d is a multiple of 2^low below 2^(high + 2), and therefore a double.
 bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
     if (digits.empty()) return true;
     if (digits.width() + 3 > mantissa_bits || digits.low < -300 || digits.high > 200) return false;
@@ -98,17 +100,18 @@ bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
     return true;
 }
 
-// True if plain double makes no rounding error with points whose coordinates are doubles and multiples of `unit`, by
-// axis. Counted in units, let differences be integers of at most E0, E1 and E2, all of them at least 1. Products of two
-// are at most Ei Ej, minors 2 Ei Ej, the three terms of a determinant 2 E0 E1 E2, and their sum 6 E0 E1 E2. With E0 E1
-// E2 <= 2^50 all are integers below 2^53, hence doubles (the last factor, 8 / 6, covers the roundings in E).
+// True if determinants in doubles have no rounding errors. The points' coordinates must be doubles, and multiples of
+// `unit` on each axis. In these units, let differences on the three axes be integers of at most E0, E1 and E2, all at
+// least 1. Products of two differences are at most Ei Ej, minors 2 Ei Ej, the three terms of a determinant 2 E0 E1 E2,
+// and their sum 6 E0 E1 E2. If E0 E1 E2 <= 2^50, all are integers below 2^53, and therefore doubles (the last factor, 8
+// / 6, covers the roundings in E).
 bool Frame::are_short(const Vec3& unit) const noexcept {
     return (extent_.array() / unit.array()).max(1.0).prod() <= 0x1p50;
 }
 
-// Returns a unit, by axis, that divides all coordinates of R v + t - t0; 1 where all are zero. Needs points that
-// points_are_doubles accepts: then a product of an entry of R and a coordinate of a mesh has at most 50 bits, and so
-// have a product of the entry and the mesh's own unit, and the difference of the translations.
+// Returns for each axis a unit that divides all coordinates of R v + t - t0; 1 if all are zero. Call only if
+// points_are_doubles(): then a product of an entry of R and a coordinate of a mesh has at most 50 bits. The product of
+// the entry and the mesh's own unit, and the difference of the translations, have at most 50 bits, too.
 Vec3 Frame::common_unit() const noexcept {
     Vec3 result;
     for (int row = 0; row < 3; ++row) {
@@ -125,7 +128,8 @@ Vec3 Frame::common_unit() const noexcept {
     return result;
 }
 
-// Divides rounded points by `unit` from now on: plain double is then exact, and an affine bijection changes no sign.
+// From now on rounded points are divided by `unit`, so that determinants in doubles are exact. Scaling the axes changes
+// no sign.
 void Frame::count_in(const Vec3& unit) noexcept {
     unit_ = unit;
     is_counted_ = true;

@@ -1,11 +1,11 @@
-// A Frame poses the points of any number of meshes in one common frame.
+// A Frame computes the points of any number of posed meshes in one common coordinate system.
 //
-// All points are relative to the translation t0 of the first body: a point is R v + (t - t0). Bounds then grow with the
-// distance of the bodies from each other, not from the origin.
+// All points are relative to the translation t0 of the first body: a point is R v + (t - t0). So error bounds grow with
+// the distance of the bodies from each other, not from the origin.
 //
-// Vertices are posed on demand, rounded or as integers (IntegerFrame), and cached in small caches of fixed size, so no
-// question pays for the size of a mesh. The length of the exact coordinates is measured once for all bodies, when the
-// first question needs it, and decides which arithmetic gives exact signs.
+// Vertices are posed on demand, rounded or as integers (IntegerFrame), and cached in small caches of fixed size. So a
+// question costs nothing for vertices that it does not use. The width of the exact coordinates is measured once for all
+// bodies, when the first question needs it. It determines which arithmetic gives exact signs.
 #pragma once
 
 #include <array>
@@ -27,39 +27,40 @@
 
 namespace ecods::exact {
 
-// Names the arithmetic that gives exact signs for all points of a frame, from the dearest to the cheapest.
+// The arithmetic that gives exact signs for all points of a frame, from the most to the least expensive.
 enum class Arithmetic : std::uint8_t {
     unknown,      // not measured yet
     many_limbs,   // integers of more than two limbs
     two_limbs,    // integers of two limbs
     one_limb,     // integers of one limb
-    differences,  // rounded points are exact, and so are their differences
-    plain,        // plain double makes no rounding error in any determinant
+    differences,  // points and their differences are exact in doubles
+    plain,        // every determinant is exact in doubles
 };
 
 class Frame {
   public:
-    // Replaces all bodies. There must be at least one, and everything that they refer to must outlive the questions.
-    // Cost: constant for each body. Memory: 96 KiB a body, kept for the bodies of later calls.
+    // Replaces all bodies. There must be at least one. The bodies are referred to, so they must outlive all later
+    // calls. Cost: constant for each body. Memory: 96 KiB for each body, kept for the bodies of later calls.
     void bind(std::span<const BodyRef> bodies);
 
     const BodyRef& body(std::size_t i) const noexcept { return integers_.body(i); }
 
-    // Bounds for rounded points until find_arithmetic is called. delta() bounds the error of a coordinate, of all
-    // bodies or of one; extent() bounds the difference of two points, by axis.
+    // These bounds hold for rounded points until find_arithmetic() is called. delta() is an upper bound of the error of
+    // any coordinate, of all bodies or of one body. extent() is an upper bound of the difference of two points, by
+    // axis.
     double delta() const noexcept { return delta_; }
     double delta(std::size_t body) const noexcept { return bodies_[body].delta; }
     const Vec3& extent() const noexcept { return extent_; }
 
-    // Measures digits unless that has been done. Afterwards rounded points may be in other units: points from before
-    // and after must not be mixed. Cost: constant for each body.
+    // Chooses the arithmetic, unless that has been done. Afterwards rounded points may be in other units, so points
+    // from before and after the call must not be mixed. Cost: constant for each body.
     void find_arithmetic() noexcept {
         if (arithmetic_ == Arithmetic::unknown) [[unlikely]]
             measure_digits();
     }
     Arithmetic arithmetic() const noexcept { return arithmetic_; }
 
-    // Returns the rounded point of a vertex, valid until the next call for the same body.
+    // Returns the rounded point of a vertex. The reference is valid until the next call for the same body.
     const Point& rounded(std::size_t body, std::uint32_t vertex);
     template <std::size_t N>
     Points<N> rounded(const std::array<VertexRef, N>& vertices) {
@@ -68,20 +69,21 @@ class Frame {
         return points;
     }
 
-    // Returns references to the exact points of some vertices, for any arithmetic.
+    // Returns references to the exact points of the vertices. Any arithmetic may be in use.
     template <std::size_t N>
     PosedPoints<N> posed(const std::array<VertexRef, N>& vertices) const noexcept {
         return integers_.posed(vertices);
     }
 
-    // Returns the power of two that scales rounded points to integers below 2^52. Needs arithmetic() == differences.
+    // Returns a power of two: rounded points times this power are integers below 2^52. Call only if arithmetic() is
+    // differences.
     double to_integers() const noexcept {
         ECODS_ASSERT(arithmetic_ == Arithmetic::differences);
         return to_integers_;
     }
 
-    // Calls `use` with the vertices' points as IntegerPoints<Kernel, N>, of any kernel that holds them, and returns its
-    // result. Needs an arithmetic() of integers: one, two or many limbs.
+    // Calls use(points) and returns its result; `points` has the exact points of the vertices as IntegerPoints<Kernel,
+    // N>, for a kernel that is wide enough. Call only if arithmetic() is one_limb, two_limbs or many_limbs.
     template <std::size_t N, class Use>
     auto with_integers(const std::array<VertexRef, N>& vertices, Use&& use);
 
@@ -94,8 +96,8 @@ class Frame {
 
     std::size_t body_count() const noexcept { return integers_.body_count(); }
     void forget_points() noexcept;
-    // Poses a vertex that is not in the cache. Not inline, and with arguments that the caller holds in registers
-    // anyway: a question has such a call for each of its points, and hardly ever takes it.
+    // Poses a vertex that is not in the cache. It is not inlined, and its arguments are in registers of the caller
+    // anyway, because each question contains such a call for each of its points, and hardly ever makes it.
     void pose(std::size_t body, std::uint32_t vertex, Point& p) const noexcept;
     void find_bounds() noexcept;
     void measure_digits() noexcept;
@@ -104,8 +106,8 @@ class Frame {
     Vec3 common_unit() const noexcept;
     void count_in(const Vec3& unit) noexcept;
 
-    IntegerFrame integers_;     // measured once arithmetic_ is known
-    std::vector<Body> bodies_;  // entries beyond body_count() keep their memory
+    IntegerFrame integers_;     // measured if arithmetic_ is known
+    std::vector<Body> bodies_;  // may have more than body_count() entries, to keep their memory
     Vec3 extent_ = Vec3::Zero();
     double delta_ = 0;
     Arithmetic arithmetic_ = Arithmetic::unknown;

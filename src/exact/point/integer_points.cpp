@@ -6,7 +6,7 @@
 namespace ecods::exact {
 namespace {
 
-// One coordinate for a kernel. The value must fit.
+// Sets a coordinate of a kernel to from >> shift. The value must fit.
 void assign(std::int64_t& to, std::span<const std::uint64_t> from, int shift) noexcept {
     to = static_cast<std::int64_t>(shift_right<1>(from, shift)[0]);
 }
@@ -19,7 +19,7 @@ void assign(std::array<std::uint64_t, M>& to, std::span<const std::uint64_t> fro
     to = shift_right<static_cast<int>(M)>(from, shift);
 }
 
-// Returns the digits of numbers from the limbs of all their magnitudes, joined.
+// Returns the digits of several numbers, from the bitwise or of all their magnitudes.
 template <int L>
 BitRange digits_of(const Limbs<L>& any) noexcept {
     BitRange range;
@@ -31,8 +31,8 @@ BitRange digits_of(const Limbs<L>& any) noexcept {
     return range;
 }
 
-// A difference of two points has one bit more than these: `sum_bits` leaves the bits that a kernel of as many limbs
-// needs for its determinants.
+// A difference of two points has one bit more than a point. `sum_bits` leaves the bits that a kernel with the same
+// number of limbs needs for its determinants.
 static_assert(64 * 4 - sum_bits + 4 <= LimbKernel<4>::coordinate_bits);
 
 }  // namespace

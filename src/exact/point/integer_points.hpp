@@ -1,5 +1,5 @@
-// IntegerPoints are N posed points as integers, in the narrowest kernel that holds them: complete for every finite
-// double.
+// IntegerPoints are N posed points as integers, for the narrowest kernel that is wide enough. Every finite double has a
+// kernel that is.
 #pragma once
 
 #include <array>
@@ -14,25 +14,26 @@
 
 namespace ecods::exact {
 
-// Holds points for an integer kernel, in units of one power of two and moved by one vector, so signs are unchanged.
+// Holds points for an integer kernel, in units of 2^unit and translated by a common vector, which changes no sign.
 template <class Kernel, std::size_t N>
 struct IntegerPoints {
     std::array<typename Kernel::Point, N> at;
-    int unit = 0;  // counted in 2^unit
+    int unit = 0;  // coordinates are in units of 2^unit
 };
 
-// The points in limbs, as many as all of their terms take, relative to the first one. They are the same for all
-// questions, so that these are compiled with the narrowest kernels alone.
+// Computes points relative to the first one, in as many limbs as all of their terms need. The code is the same for all
+// questions, so only the narrowest kernels are compiled once for each question.
 class WidePoints {
   public:
-    // Works in `terms`, which has an element for each point, and keeps all in `limbs`, which has 3 limb_count_max
-    // for each; both must outlive the rest.
+    // `terms` has an element for each point, and `limbs` has 3 limb_count_max elements for each point. Both are
+    // overwritten, and must outlive this object.
     WidePoints(std::span<const PointRef> points, std::span<PoseTerms> terms, std::span<std::uint64_t> limbs) noexcept;
 
-    // All coordinates are below 2^width() units of 2^unit() in magnitude: zeros that all of them end in are stripped.
+    // All coordinates are below 2^width() in magnitude, in units of 2^unit(). The unit is as large as possible: zero
+    // bits at the low end of all coordinates are removed.
     int width() const noexcept { return digits_.width(); }
     int unit() const noexcept { return unit_ + zeros(); }
-    // Hands the points to a kernel that must hold them.
+    // Sets `points` to the points, in units of 2^unit(). They must fit into the kernel.
     template <class Kernel>
     void copy_to(std::span<typename Kernel::Point> points) const noexcept;
 
@@ -43,11 +44,11 @@ class WidePoints {
 
     std::span<std::uint64_t> limbs_;
     std::size_t limb_count_ = 0;
-    int unit_ = 0;     // of the limbs
-    BitRange digits_;  // in that unit
+    int unit_ = 0;     // exponent of the unit of limbs_
+    BitRange digits_;  // digits of all coordinates in that unit
 };
 
-// Calls use(kernel) with the narrowest kernel that holds coordinates of so many bits.
+// Calls use(kernel) with the narrowest kernel whose coordinates have at least `width` bits, and returns its result.
 template <class Use>
 auto with_kernel(int width, Use&& use) {
     if (width <= OneLimbKernel::coordinate_bits) return use(OneLimbKernel{});
@@ -58,14 +59,15 @@ auto with_kernel(int width, Use&& use) {
     return use(LimbKernel<limb_count_max>{});
 }
 
-// Calls `use` with the points in the narrowest kernel that holds them: zeros that all differences end in are stripped.
-// Differences have at most TwoLimbKernel::coordinate_bits.
+// Calls use(integers) and returns its result; `integers` are the points relative to the first one, in the narrowest
+// kernel that is wide enough. Zero bits at the low end of all differences are removed first. Differences must have at
+// most TwoLimbKernel::coordinate_bits.
 template <std::size_t N, class Use>
 auto use_narrowest(const IntegerPoints<TwoLimbKernel, N>& points, Use&& use) {
     IntegerPoints<TwoLimbKernel, N> two;
     two.unit = points.unit;
-    Uint128 leading = 0;   // has as many bits as the largest magnitude; -2^k may count as 2^k - 1
-    Uint128 trailing = 0;  // ends in as many zeros as all coordinates do
+    Uint128 leading = 0;   // as many bits as the largest magnitude; one bit less if that is -2^k
+    Uint128 trailing = 0;  // as many zero bits at the low end as all coordinates have
     for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Int128 x = points.at[i][axis] - points.at[0][axis];
@@ -86,9 +88,9 @@ auto use_narrowest(const IntegerPoints<TwoLimbKernel, N>& points, Use&& use) {
     return use(one);
 }
 
-// Calls `use` with the points as IntegerPoints<Kernel, N> of the narrowest kernel that holds them, and returns its
-// result. `use` must take every kernel. The unit is chosen for these points alone. Far from the origin, differences of
-// translations are much shorter than the translations.
+// Calls use(integers) and returns its result; `integers` are the points as IntegerPoints<Kernel, N>, for the narrowest
+// kernel that is wide enough. `use` must accept every kernel. The unit is chosen for these points alone. Far from the
+// origin, differences of translations are much shorter than the translations.
 template <std::size_t N, class Use>
 auto with_integers(const PosedPoints<N>& points, Use&& use) {
     std::array<PoseTerms, N> terms;

@@ -9,8 +9,9 @@ void LinePoints::bind(const BodyRef& body) noexcept {
     products_.bind(body.pose->R, body.extent->digits, digits_);
 }
 
-// Needs two more bits than the digits: a coordinate is a sum of three products and a difference, each below 2^high. The
-// kernel takes differences of corners. Far from the origin, the differences taken here are shorter than their operands.
+// Sets the digits, the unit, and the line's numbers in that unit. A coordinate needs two more bits than its terms: it
+// is a sum of three products and a difference, each below 2^high. The kernel computes differences of corners itself.
+// Far from the origin, the differences computed here are shorter than their operands.
 bool LinePoints::bind(const Line& line) noexcept {
     terms_.set_offset(t_, line.a);
     DifferenceTerms along;

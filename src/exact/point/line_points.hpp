@@ -1,4 +1,5 @@
-// LinePoints are the points of a posed mesh and the direction of a line, as integers relative to the line's beginning.
+// LinePoints computes the points of a posed mesh and the direction of a line as integers, relative to the line's
+// beginning.
 #pragma once
 
 #include <array>
@@ -13,32 +14,33 @@
 
 namespace ecods::exact {
 
-// Serves lines and bodies whose digits fit into two limbs, which most do: a question about a triangle then costs its
-// three points and no more.
+// Works only if the digits of line and body fit into two limbs, as most do. Then a question about a triangle costs only
+// the computation of its three points.
 class LinePoints {
   public:
     using Point = TwoLimbKernel::Point;
 
-    // Binds what depends on the body alone; mesh and pose may be elsewhere afterwards.
+    // Binds a body. Mesh and pose need not outlive the call.
     void bind(const BodyRef& body) noexcept;
 
-    // Returns true if the digits fit; the functions below may be called only then.
+    // Binds a line, and returns true if the digits of body and line fit. The functions below may be called only if it
+    // did.
     bool bind(const Line& line) noexcept;
 
-    // True if one limb holds each coordinate: all are below 2^OneLimbKernel::coordinate_bits.
+    // True if each coordinate fits into one limb: all are below 2^OneLimbKernel::coordinate_bits.
     bool is_one_limb() const noexcept { return is_one_limb_; }
 
-    // direction() and at() are the line's direction and the point of a vertex, in units of 2^unit().
+    // direction() returns the line's direction, and at(v) the point of vertex v, both in units of 2^unit().
     int unit() const noexcept { return unit_; }
     const Point& direction() const noexcept { return direction_; }
     Point at(const Vec3& v) const noexcept;
 
   private:
-    PoseTerms terms_;  // its offset is t less the line's beginning
+    PoseTerms terms_;  // with the offset t minus the line's beginning
     ShortProducts products_;
     Vec3 t_ = Vec3::Zero();
-    BitRange digits_;  // digits of the products
-    Point offset_{};   // t less the line's beginning
+    BitRange digits_;  // digits of the products R_ij v_j
+    Point offset_{};   // t minus the line's beginning, in units
     Point direction_{};
     int unit_ = 0;
     bool is_one_limb_ = false;

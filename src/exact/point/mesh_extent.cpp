@@ -19,7 +19,7 @@ MeshExtent measure(const Mesh& mesh) {
             extent.units[static_cast<std::size_t>(axis)].include(x);
         }
     });
-    // Halves are taken before the sum: the sum of two large coordinates may overflow.
+    // min and max are halved before they are added, because the sum of two large coordinates may overflow.
     extent.center = 0.5 * min + 0.5 * max;
     extent.half = 0.5 * max - 0.5 * min;
     extent.magnitude = min.cwiseAbs().cwiseMax(max.cwiseAbs());

@@ -1,4 +1,5 @@
-// A MeshExtent is the data of a mesh that exact questions need under any pose: its box, bit ranges and common units.
+// A MeshExtent has the facts about a mesh that exact arithmetic needs under any pose: its box, bit ranges and common
+// units.
 #pragma once
 
 #include <array>
@@ -9,16 +10,16 @@
 
 namespace ecods::exact {
 
-// Describes the vertices that triangles use, by axis.
+// Facts about the coordinates of the vertices that triangles use, by axis.
 struct MeshExtent {
-    Vec3 center;                      // of the vertices' box, rounded
+    Vec3 center;                      // center of the vertices' box, rounded
     Vec3 half;                        // half the size of that box, rounded
-    Vec3 magnitude;                   // the largest magnitude of a coordinate
-    std::array<BitRange, 3> digits;   // the bits of all coordinates
-    std::array<CommonUnit, 3> units;  // divide all coordinates
+    Vec3 magnitude;                   // largest |coordinate|
+    std::array<BitRange, 3> digits;   // range of the binary digits of all coordinates
+    std::array<CommonUnit, 3> units;  // greatest unit of which all coordinates are multiples
 };
 
-// Measures the vertices that triangles use. Cost: one pass over the triangles.
+// Computes the extent of a mesh. Cost: one pass over the triangles.
 MeshExtent measure(const Mesh& mesh);
 
 }  // namespace ecods::exact

@@ -1,8 +1,8 @@
-// PoseTerms decodes a posed point R v + t - t0 into a sum of terms m 2^e, for integers of every width; no other code
-// decodes poses.
+// PoseTerms represents a posed point R v + t - t0 as a sum of terms m 2^e. It serves integers of every width; no other
+// code decodes poses.
 //
-// An integer of two limbs, several, or as many as it takes counts these terms in units of a power of two. Doubles are
-// decoded from their bits: no floating-point instruction takes part, so neither a rounding mode nor flush-to-zero
+// The terms are added in units of a power of two, in integers of two limbs, of several limbs, or of any length. Doubles
+// are decoded from their bits, without floating-point instructions, so neither the rounding mode nor flush-to-zero
 // matters.
 #pragma once
 
@@ -20,15 +20,17 @@
 
 namespace ecods::exact {
 
-// A coordinate is a sum of three products and two translations, each below 2^high, which takes three more bits. A
-// difference of two coordinates takes one more. A kernel of L limbs takes coordinates of 64 L - 3 bits and a sign.
+// The number of bits that an integer needs beyond the bits of its terms. A coordinate is a sum of three products and
+// two translations, each below 2^high: three more bits. A difference of two coordinates takes one more. A kernel of L
+// limbs takes coordinates of 64 L - 3 bits and a sign: three more.
 inline constexpr int sum_bits = 3 + 1 + 3;
 
-// Products of doubles are multiples of 2^-2148 and below 2^2048.
+// The largest number of limbs: products of doubles are multiples of 2^-2148 and below 2^2048.
 inline constexpr int limb_count_max = 66;
 static_assert(2048 + 2148 + sum_bits <= 64 * limb_count_max);
 
-// Calls use(L) with the least of the listed limb counts from `least` on that holds so many bits, as a constant type.
+// Calls use(L) with the least number L of limbs, of those listed below that are at least `least`, that holds `bits`
+// bits. L is an integral_constant. Returns the result of the call.
 template <int least, class Use>
 auto with_limb_count(int bits, Use&& use) {
     ECODS_ASSERT(bits <= 64 * limb_count_max);
@@ -41,7 +43,7 @@ auto with_limb_count(int bits, Use&& use) {
     return use(std::integral_constant<int, limb_count_max>{});
 }
 
-// Adds m 2^shift, rounded down to an integer, to a number of any width. The result must fit.
+// Adds m 2^shift, rounded down to an integer, to `sum`. The result must fit.
 inline void add_term(Int128& sum, Int128 m, int shift) noexcept {
     sum += shift >= 0 ? m << shift : m >> std::min(-shift, 127);
 }
@@ -53,8 +55,8 @@ inline void add_term(Integer& sum, Int128 m, int shift) {
     if (m != 0) sum = sum + (shift >= 0 ? Integer(m) << shift : Integer(m >> std::min(-shift, 127)));
 }
 
-// Holds the difference of two vectors. A coordinate is one term or, if its digits are too far apart, two; m is 0 in
-// unused terms.
+// Holds the difference of two vectors. A coordinate is one term, or two terms if its digits are too far apart for one.
+// Unused terms have m = 0.
 class DifferenceTerms {
   public:
     using Coordinate = std::array<DyadicDifference, 2>;
@@ -70,7 +72,7 @@ class DifferenceTerms {
 
     const Coordinate& operator[](std::size_t row) const noexcept { return terms_[row]; }
 
-    // Returns a range that has the digits of all terms, and of the sum where a coordinate has two.
+    // Returns a range that contains the digits of all terms, and of the sum of the two terms of a coordinate.
     BitRange digits() const noexcept {
         BitRange digits;
         for (const Coordinate& x : terms_) {
@@ -82,7 +84,7 @@ class DifferenceTerms {
         return digits;
     }
 
-    // Returns the difference in units of 2^unit, each term rounded down.
+    // Returns the difference in units of 2^unit. Each term is rounded down.
     template <class Number>
     std::array<Number, 3> in(int unit) const {
         std::array<Number, 3> result{};
@@ -121,28 +123,28 @@ class PoseTerms {
     const Columns& columns() const noexcept { return columns_; }  // columns of R
     const DifferenceTerms& offset() const noexcept { return offset_; }
 
-    // Returns the digits of all products R_ij v_j of vertices whose coordinates have the digits `v`.
+    // Returns the digits of all products R_ij v_j, for vertices whose coordinates have the digits `v`.
     BitRange digits_of_products(const std::array<BitRange, 3>& v) const noexcept {
         BitRange digits;
         for (std::size_t column = 0; column < 3; ++column) digits.include(ranges_[column] * v[column]);
         return digits;
     }
-    // Returns the digits of all products, and of t - t0.
+    // Returns the digits of all products R_ij v_j, and of t - t0.
     BitRange digits(const std::array<BitRange, 3>& v) const noexcept {
         BitRange digits = digits_of_products(v);
         digits.include(offset_.digits());
         return digits;
     }
 
-    // Returns R v + t - t0 in units of 2^unit, each term rounded down. The point is exact if 2^unit divides all terms:
-    // if unit is at most the lowest digit of the vertices' products and of the offset.
+    // Returns R v + t - t0 in units of 2^unit. Each term is rounded down. The point is exact if 2^unit divides all
+    // terms, that is, if `unit` is at most the lowest digit of digits(v).
     template <class Number>
     std::array<Number, 3> point_in(int unit, const Vec3& v) const {
         std::array<Number, 3> p = offset_.in<Number>(unit);
         add_products(v, unit, p);
         return p;
     }
-    // Adds R v, in units of 2^unit, to a point.
+    // Adds R v, in units of 2^unit, to p. Each term is rounded down.
     template <class Number>
     void add_products(const Vec3& v, int unit, std::array<Number, 3>& p) const {
         for (std::size_t column = 0; column < 3; ++column) {
@@ -157,7 +159,7 @@ class PoseTerms {
 
   private:
     Columns columns_{};
-    std::array<BitRange, 3> ranges_;  // by column: the range of its digits
+    std::array<BitRange, 3> ranges_;  // digits of each column of R
     DifferenceTerms offset_;          // t - t0
 };
 

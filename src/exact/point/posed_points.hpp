@@ -1,4 +1,4 @@
-// PosedPoints are N points of any bodies, by reference; RoundedPoints are such points in doubles, with an error bound.
+// PosedPoints refers to N points of any bodies. RoundedPoints holds such points in doubles, with an error bound.
 #pragma once
 
 #include <algorithm>
@@ -13,33 +13,33 @@
 
 namespace ecods::exact {
 
-// Refers to a mesh at a pose; `extent` is the mesh's.
+// Refers to a mesh and its pose. `extent` is the mesh's.
 struct BodyRef {
     const Mesh* mesh;
     const MeshExtent* extent;
     const Pose* pose;
 };
 
-// Names a body of a frame and a vertex of its mesh, by index.
+// Names a vertex by its index in a mesh, and the mesh's body by its index in a frame.
 struct VertexRef {
     std::size_t body;
     std::uint32_t vertex;
 };
 
-// The corners of two triangles, those of the first body's first.
+// Returns the corners of triangle a of body 0, and then of triangle b of body `body_of_b`.
 constexpr std::array<VertexRef, 6> corners_of(const Triangle& a, const Triangle& b,
                                               std::size_t body_of_b = 1) noexcept {
     const std::size_t second = body_of_b;
     return {{{0, a[0]}, {0, a[1]}, {0, a[2]}, {second, b[0]}, {second, b[1]}, {second, b[2]}}};
 }
 
-// Refers to the point R v + t of a body.
+// Refers to the point R v + t of a body with the pose [R t].
 struct PointRef {
     const Pose* pose;
     const Vec3* v;
 };
 
-// Points of up to N bodies; relative to the translation t0 of the first pose, each is R v + t - t0.
+// Points of any bodies. Relative to the translation t0 of the first point's pose, each is R v + t - t0.
 template <std::size_t N>
 using PosedPoints = std::array<PointRef, N>;
 
@@ -61,7 +61,7 @@ RoundedPoints<N> round_points(const PosedPoints<N>& exact) noexcept {
     return result;
 }
 
-// Rounds points whose poses are all the identity, which makes no error.
+// Returns the points v themselves as doubles. All poses must be the identity, so rounding makes no error.
 template <std::size_t N>
 RoundedPoints<N> plain_points(const PosedPoints<N>& exact) noexcept {
     RoundedPoints<N> result{{}, 0};
@@ -69,7 +69,7 @@ RoundedPoints<N> plain_points(const PosedPoints<N>& exact) noexcept {
         const Vec3& v = *exact[i].v;
         result.points[i] = {v[0], v[1], v[2]};
     }
-    // Covers subnormal coordinates that the processor takes for zero.
+    // This covers subnormal coordinates that the processor takes for zero.
     result.delta = 0x1p-1000;
     return result;
 }

@@ -8,8 +8,8 @@
 namespace ecods::exact {
 namespace {
 
-// Returns the biased exponent of the largest magnitude; 0 if an entry that is not zero is too small to be converted.
-// Reads bits, because the processor may take subnormal numbers for zero.
+// Returns the biased exponent of the largest |entry|; 0 if an entry is too small to be converted, but not zero. Reads
+// bits, because the processor may take subnormal numbers for zero.
 int biased_exponent(const Mat3& R) noexcept {
     constexpr std::uint64_t least = magnitude_of(0x1p-500);
     std::uint64_t most = 0;
@@ -39,9 +39,9 @@ bool ShortMatrix::bind(const Mat3& R) noexcept {
     return are_short;
 }
 
-// Short products count in units of 2^unit_: 2^-124 of the product of upper bounds of all |R_ij| and all |v_j|. A
+// Sets the unit of short products to 2^unit_: 2^-124 of the product of upper bounds of all |R_ij| and all |v_j|. So a
 // product that is not zero is at least 2^unit_ and at most 2^(unit_ + 124). It is also a multiple of the caller's
-// 2^unit and less than 2^(unit + 120), so `add` shifts by less than 128 bits.
+// 2^unit and less than 2^(unit + 120), so add() shifts by less than 128 bits.
 void ShortProducts::bind(const Mat3& R, const std::array<BitRange, 3>& v, const BitRange& products) noexcept {
     is_bound_ = true;
     BitRange all;

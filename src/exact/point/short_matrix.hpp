@@ -1,8 +1,7 @@
-// Matrices and vectors are short if their digits fit into 64 bits, as they do for all but some percent of rotated
-// models. The product of a short matrix and vector takes nine multiplications; terms of any digits cost several times
-// that.
+// A matrix or vector is short if its digits fit into 64 bits. All but a few percent of rotated models are. The product
+// of a short matrix and a short vector takes nine multiplications; a sum of general terms costs several times as much.
 //
-// Floating-point instructions scale and convert, exactly in any rounding mode.
+// Floating-point instructions are used to scale and convert numbers. This is exact in any rounding mode.
 #pragma once
 
 #include <array>
@@ -16,14 +15,15 @@
 
 namespace ecods::exact {
 
-// Magnitudes of short numbers are below 2^62, so a sum of three products is below 2^126.
+// Short numbers are below 2^62 in magnitude, so a sum of three products is below 2^126.
 inline constexpr int short_bits = 62;
-// Limits the exponents of powers of two by which numbers are scaled to short ones, so that no scaling underflows, in
-// any mode.
+// The largest |exponent| of a power of two by which numbers are scaled to short ones. With it no scaling underflows, in
+// any rounding mode.
 inline constexpr int short_power_max = 480;
 
-// Converts x * power, for |x| >= 2^-500 or x = 0 and a power of two that leaves |x * power| below 2^62. Returns true if
-// the product is an integer: scaling is exact, and converting back gives the same number if no digits were cut off.
+// Sets `result` to x * power rounded towards zero, and returns true if x * power is an integer. x must be 0 or |x| >=
+// 2^-500, and `power` a power of two with |x * power| < 2^62. The scaling is exact, so converting back gives the same
+// number if and only if no digits were cut off.
 inline bool to_short(double x, double power, std::int64_t& result) noexcept {
     const double scaled = x * power;
     result = static_cast<std::int64_t>(scaled);
@@ -32,10 +32,10 @@ inline bool to_short(double x, double power, std::int64_t& result) noexcept {
 
 class ShortMatrix {
   public:
-    // Returns true if the digits fit; the functions below may be called only then.
+    // Binds R and returns true if its digits fit. The functions below may be called only if they did.
     bool bind(const Mat3& R) noexcept;
 
-    // Entries are integers in units of 2^unit().
+    // The entries are integers in units of 2^unit(); times(x) returns the matrix times x in that unit.
     int unit() const noexcept { return unit_; }
     TwoLimbKernel::Point times(const std::array<std::int64_t, 3>& x) const noexcept {
         TwoLimbKernel::Point product;
@@ -51,17 +51,17 @@ class ShortMatrix {
     int unit_ = 0;
 };
 
-// Computes products R v of the vertices of a mesh: short ones if R and all vertices are short, and sums of terms
-// otherwise.
+// Computes products R v for the vertices v of a mesh. If R and all vertices are short it multiplies short numbers,
+// otherwise it adds general terms.
 class ShortProducts {
   public:
-    // Binds R. Coordinates of vertices have the digits `v`, and products R_ij v_j the digits `products`.
+    // Binds R. `v` are the digits of the vertices' coordinates, and `products` the digits of all products R_ij v_j.
     void bind(const Mat3& R, const std::array<BitRange, 3>& v, const BitRange& products) noexcept;
     void forget() noexcept { are_short_ = is_bound_ = false; }
     bool is_bound() const noexcept { return is_bound_; }
 
-    // Adds R v in units of 2^unit; `terms` are the terms of the same R. Short products are exact: 2^unit must divide
-    // all of them, and they must be below 2^(unit + 120).
+    // Adds R v, in units of 2^unit, to p. `terms` must have the same R. Short products are exact: 2^unit must divide
+    // all products, and these must be below 2^(unit + 120).
     void add(const PoseTerms& terms, const Vec3& v, int unit, TwoLimbKernel::Point& p) const noexcept {
         if (!are_short_) return terms.add_products(v, unit, p);
         std::array<std::int64_t, 3> x;

@@ -1,4 +1,4 @@
-// Vectors of doubles, in the order of operations that bounds are about, and of exact numbers.
+// Vector operations on doubles, in the order of operations that the error bounds assume, and on exact numbers.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,8 @@ ECODS_ALWAYS_INLINE double sum_of_magnitudes(const Point& a) noexcept {
     return (std::abs(a[0]) + std::abs(a[1])) + std::abs(a[2]);
 }
 
-// Return the index of the least and of the greatest of three numbers: the first index among equal ones.
+// least_of() returns the index of the least of three numbers, greatest_of() of the greatest; of equal numbers the
+// first.
 ECODS_ALWAYS_INLINE std::size_t least_of(double x, double y, double z) noexcept {
     return x <= y ? (x <= z ? 0 : 2) : (y <= z ? 1 : 2);
 }
@@ -51,7 +52,7 @@ ECODS_ALWAYS_INLINE std::size_t greatest_of(double x, double y, double z) noexce
     return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
 }
 
-// Holds the edges of two triangles, each from a corner to the next one.
+// The edges of two triangles: [t][i] is the vector from corner i of triangle t to the next corner.
 using TriangleEdges = std::array<std::array<Point, 3>, 2>;
 ECODS_ALWAYS_INLINE TriangleEdges edges_of(const Points<6>& x) noexcept {
     return {{{minus(x[1], x[0]), minus(x[2], x[1]), minus(x[0], x[2])},

@@ -1,4 +1,4 @@
-// A VertexCache has a fixed size and caches values of one mesh's vertices.
+// A VertexCache is a cache of fixed size for values that belong to the vertices of one mesh.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,22 @@
 
 namespace ecods::exact {
 
-// Direct-mapped: vertices with the same remainder modulo `size` share an entry, which holds the latest of them. The
-// default size makes 32 KiB of rounded points: a level 1 cache.
+// The cache is direct-mapped: vertices with the same remainder modulo `size` share an entry, which holds the value of
+// the last one. With the default size, rounded points take 32 KiB, the size of a level 1 cache.
 template <class Value, std::size_t size = 1024>
 class VertexCache {
   public:
-    // Forgets all values, at the cost of a counter.
+    // Removes all values in constant time: it only changes a counter.
     void clear() noexcept {
         epoch_ += std::uint64_t{1} << 32;
-        if (epoch_ == 0) {  // After 2^32 times the tags would repeat.
+        if (epoch_ == 0) {  // after 2^32 calls tags would repeat
             for (Entry& entry : entries_) entry.tag = 0;
             epoch_ = std::uint64_t{1} << 32;
         }
     }
 
-    // Returns the value of `vertex`, valid until the next call; make(value) fills it in if it is not cached.
+    // Returns the value of `vertex`; if it is not cached, make(value) sets it first. The reference is valid until the
+    // next call.
     template <class Make>
     ECODS_ALWAYS_INLINE const Value& get(std::uint32_t vertex, Make&& make) {
         Entry& entry = entries_[vertex % size];
@@ -40,7 +41,7 @@ class VertexCache {
         Value value{};
     };
     std::vector<Entry> entries_ = std::vector<Entry>(size);
-    std::uint64_t epoch_ = std::uint64_t{1} << 32;  // the upper half of tags, never 0
+    std::uint64_t epoch_ = std::uint64_t{1} << 32;  // upper half of tags; never 0
 };
 
 }  // namespace ecods::exact

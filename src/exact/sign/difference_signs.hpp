@@ -1,20 +1,21 @@
-// DifferenceSigns gives signs of determinants of N points that are doubles without a rounding error, as are the
-// differences of any two of them.
+// DifferenceSigns computes signs of determinants of N points. The points, and the differences of any two of them, must
+// be exact in doubles.
 //
-// Each determinant then has a bound of its own, made of the magnitudes of its products, and is certainly zero if all
-// products are zero. So axis-aligned bodies seldom need integers, whatever the length of their coordinates.
+// Each determinant then has its own error bound, computed from the magnitudes of its products, and is certainly zero if
+// all products are zero. So axis-aligned bodies seldom need integers, however long their coordinates are.
 //
-// Bound. In any rounding mode fl(a op b) = (a op b)(1 + e), |e| <= u' = 2^-52. Each of the six products of three
-// differences meets at most five factors 1 + e: two products, the difference of the minor, two sums. So the error is at
-// most ((1 + u')^5 - 1) p, with p the sum of the products' magnitudes. p is computed by the same operations on
-// magnitudes, hence too low by at most a factor of (1 - u')^5, and its product with 6 u' by another 1 - u'. Since
-// ((1 + u')^5 - 1) (1 - u')^-6 < 5.0001 u', 6 u' p as computed is a bound. A minor's two products meet two factors
-// each, and ((1 + u')^2 - 1) (1 - u')^-3 < 2.0001 u': 3 u' p is a bound. Fused multiply-add leaves factors out; the
-// bounds stay.
+// Bound. In any rounding mode fl(a op b) = (a op b)(1 + e), |e| <= u' = 2^-52. A determinant is a sum of six products
+// of three differences. Each product has at most five factors 1 + e: two for multiplications, one for the difference in
+// the minor, two for the sums. So the error is at most ((1 + u')^5 - 1) p, where p is the sum of the products'
+// magnitudes. p is computed by the same operations on magnitudes, so it is too low by at most a factor of (1 - u')^5,
+// and its product with 6 u' by another 1 - u'. Since ((1 + u')^5 - 1) (1 - u')^-6 < 5.0001 u', 6 u' p as computed is an
+// error bound. The two products of a minor have two factors each, and ((1 + u')^2 - 1) (1 - u')^-3 < 2.0001 u', so 3 u'
+// p is a bound for minors. Fused multiply-add removes factors; the bounds remain true.
 //
 // Range. Differences are multiples of 2^low below 2^(high + 3), with low >= -300 and high <= 200 (Frame, in
-// exact/point/frame.cpp). So all products are multiples of 2^(3 low) >= 2^-900 below 2^612, rounded or not: nothing
-// underflows or overflows, and p is zero only if every product is.
+// exact/point/frame.cpp). So all products, rounded or not, are multiples of 2^(3 low) >= 2^-900 below 2^612. Nothing
+// underflows or overflows, and p is zero only if every product is zero.
+// Claim: verify/proofs/difference_signs.py
 #pragma once
 
 #include <array>
@@ -29,8 +30,8 @@
 
 namespace ecods::exact {
 
-// permanent_... are the functions plain_... of plain_signs.hpp, with sums of the products' magnitudes in place of sums
-// and differences of products.
+// Each permanent_...() function adds the magnitudes of the products that the function plain_...() of plain_signs.hpp
+// adds and subtracts.
 inline PlainNormal permanent_normal(const Point& a, const Point& b, const Point& c) noexcept {
     const double x1 = std::abs(b[0] - a[0]), y1 = std::abs(b[1] - a[1]), z1 = std::abs(b[2] - a[2]);
     const double x2 = std::abs(c[0] - a[0]), y2 = std::abs(c[1] - a[1]), z2 = std::abs(c[2] - a[2]);
@@ -46,16 +47,16 @@ inline double permanent_2d(const Point& a, const Point& b, const Point& c, int a
     return std::abs(b[i] - a[i]) * std::abs(c[j] - a[j]) + std::abs(b[j] - a[j]) * std::abs(c[i] - a[i]);
 }
 
-inline constexpr double determinant_error = 6 * two_u;  // times p, the sum of the products' magnitudes
+inline constexpr double determinant_error = 6 * two_u;  // factor of p, the sum of the products' magnitudes
 inline constexpr double minor_error = 3 * two_u;
 
 template <std::size_t N>
 class DifferenceSigns {
   public:
-    // Coordinates times `scale`, a power of two, are integers below 2^52. The points must outlive the signs.
+    // `scale` is a power of two: coordinates times scale are integers below 2^52. The points must outlive this object.
     DifferenceSigns(const Points<N>& points, double scale) noexcept : points_(points), scale_(scale) {}
 
-    // Computes all three signs without a branch for each: it cannot be predicted which points are in the plane.
+    // All three signs are computed without branches, because a processor cannot predict which points are in the plane.
     Sides sides(int plane, int points) noexcept {
         const PlainNormal n = plain_normal(at(plane), at(plane + 1), at(plane + 2));
         const PlainNormal m = permanent_normal(at(plane), at(plane + 1), at(plane + 2));
@@ -84,7 +85,8 @@ class DifferenceSigns {
 
     int compare(int a, int b, int axis) const noexcept { return PlainArithmetic::compare(at(a), at(b), axis); }
 
-    // Returns an axis on which the normal is certainly not zero, or -1 if the normal is zero.
+    // Returns an axis on which the normal of points plane, plane + 1 and plane + 2 is not zero; -1 if the normal is
+    // zero.
     int normal_axis(int plane) noexcept {
         const PlainNormal n = plain_normal(at(plane), at(plane + 1), at(plane + 2));
         const PlainNormal p = permanent_normal(at(plane), at(plane + 1), at(plane + 2));
@@ -99,7 +101,7 @@ class DifferenceSigns {
   private:
     const Point& at(int i) const noexcept { return points_[static_cast<std::size_t>(i)]; }
 
-    // Returns the signs of the points as integers, which are made when a sign first needs them.
+    // Returns a provider of exact signs from integers. The points are converted to integers on the first call.
     ExactSigns<OneLimbKernel, N> integers() noexcept {
         if (!has_integers_) {
             for (std::size_t i = 0; i < N; ++i) {

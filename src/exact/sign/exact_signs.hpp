@@ -1,6 +1,7 @@
-// ExactSigns gives signs of determinants of N points, each of any body, in an arithmetic that makes no error with them.
+// ExactSigns computes signs of determinants of N points, of any bodies, in an arithmetic that makes no rounding errors
+// with these points.
 //
-// A provider of signs, from here or from another file of this folder, answers
+// A provider of signs, from this or another file of this folder, has these functions:
 //
 //     orient3d(a, b, c, d)     sign of det(b - a, c - a, d - a)
 //     sides(plane, points)     orient3d(plane, plane + 1, plane + 2, p) for p = points, points + 1 and points + 2
@@ -9,7 +10,7 @@
 //     normal_axis(plane)       an axis on which the normal of points plane, plane + 1 and plane + 2 is not zero, or -1
 //                              if they are on one line
 //
-// where a, b, c, d, plane and points are indices of points. A decision is written once, for any provider.
+// a, b, c, d, plane and points are indices of points. Decisions from signs are written once, for any provider.
 #pragma once
 
 #include <array>
@@ -20,16 +21,16 @@
 
 namespace ecods::exact {
 
-// Holds the signs of three points against one plane.
+// The signs of three points relative to one plane: on which side they are, or 0.
 using Sides = std::array<int, 3>;
 
-// Kernel is an integer kernel or PlainArithmetic.
+// Kernel is an integer kernel, or PlainArithmetic.
 template <class Kernel, std::size_t N>
 class ExactSigns {
   public:
     using Point = typename Kernel::Point;
 
-    // The points must outlive the signs.
+    // The points must outlive this object.
     explicit ExactSigns(const std::array<Point, N>& points) noexcept : points_(points) {}
     explicit ExactSigns(const IntegerPoints<Kernel, N>& points) noexcept : points_(points.at) {}
 

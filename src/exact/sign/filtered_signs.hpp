@@ -1,4 +1,5 @@
-// FilteredSigns takes signs from the filter where its bound allows, otherwise from an integer kernel.
+// FilteredSigns computes signs by the floating-point filter, and by an integer kernel if the filter's bound does not
+// suffice.
 #pragma once
 
 #include <array>
@@ -12,8 +13,8 @@
 
 namespace ecods::exact {
 
-// Returns the axis of the largest component of the rounded normal of points plane, plane + 1 and plane + 2, where the
-// filter works best, or -1 if that component may be zero.
+// Returns the axis on which the rounded normal of points plane, plane + 1 and plane + 2 is largest: a projection along
+// it is best for the filter. Returns -1 if the normal may be zero on that axis.
 template <std::size_t N>
 int certain_normal_axis(const Points<N>& points, int plane, const DeterminantBounds& bounds) noexcept {
     ECODS_ASSERT(plane >= 0 && static_cast<std::size_t>(plane) + 2 < N);
@@ -24,11 +25,11 @@ int certain_normal_axis(const Points<N>& points, int plane, const DeterminantBou
     return size[largest] > bounds.orient2d[largest] ? static_cast<int>(largest) : -1;
 }
 
-// Gives signs of single determinants of rounded points, and 0 where the filter leaves the sign open.
+// Computes signs of determinants of rounded points; a sign is 0 if the filter cannot decide it.
 template <std::size_t N>
 class FilterSigns {
   public:
-    // The arguments must outlive the signs.
+    // The arguments must outlive this object.
     FilterSigns(const Points<N>& points, const DeterminantBounds& bounds) noexcept : points_(points), bounds_(bounds) {}
 
     Sides sides(int plane, int points) const noexcept {
@@ -56,11 +57,11 @@ class FilterSigns {
     const DeterminantBounds& bounds_;
 };
 
-// Asks the filter first, and the same points as integers where the filter leaves a sign open.
+// Computes signs by the filter, and from the same points as integers if the filter cannot decide.
 template <class Kernel, std::size_t N>
 class FilteredSigns {
   public:
-    // The arguments must outlive the signs.
+    // The arguments must outlive this object.
     FilteredSigns(const Points<N>& points, const DeterminantBounds& bounds,
                   const IntegerPoints<Kernel, N>& integers) noexcept
         : filter_(points, bounds), integers_(integers), exact_(integers) {}
@@ -80,7 +81,7 @@ class FilteredSigns {
         return axis >= 0 ? axis : exact_.normal_axis(plane);
     }
 
-    // Replaces each side that is 0 by the side in integers.
+    // Returns `sides` with each 0 replaced by the sign that integers give. `plane` and `points` are as in sides().
     Sides complete(Sides sides, int plane, int points) const noexcept {
         if (sides[0] != 0 && sides[1] != 0 && sides[2] != 0) return sides;
         const auto at = [&](int i) -> const auto& {

@@ -1,4 +1,4 @@
-// with_signs gives exact signs of any number of points of a frame's bodies, in the cheapest way.
+// with_signs provides exact signs of determinants of points of a frame's bodies, in the cheapest arithmetic.
 #pragma once
 
 #include <array>
@@ -12,24 +12,26 @@
 
 namespace ecods::exact {
 
-// Bounds the error of orient3d for all rounded points of a frame, until Frame::find_arithmetic is called.
+// Returns an error bound of orient3d for all rounded points of a frame. It holds until Frame::find_arithmetic() is
+// called.
+// Claim: verify/proofs/filter_bound.py
 inline double orient3d_bound(const Frame& frame) noexcept {
     const Vec3& extent = frame.extent();
     return orient3d_bound(difference_bound({extent[0], extent[1], extent[2]}, frame.delta()));
 }
 
-// Bounds the errors of all determinants of a frame's points whose coordinates have an error of at most `delta`.
+// Returns error bounds of all determinants of a frame's points. `delta` is an upper bound of the error of a coordinate.
 inline DeterminantBounds determinant_bounds(const Frame& frame, double delta) noexcept {
     const Vec3& extent = frame.extent();
     return determinant_bounds({extent[0], extent[1], extent[2]}, delta);
 }
 
-// Calls `ask` with a provider of exact signs of the vertices' points, where point i is vertices[i], and returns its
-// result. `ask` must take every provider of this folder.
+// Calls ask(signs) and returns its result; `signs` is a provider of exact signs, for which point i is vertices[i].
+// `ask` must accept every provider of this folder.
 //
-// Cost: finds a bound for just these points, and makes integers of them whether they are needed or not. A question that
-// the filter mostly decides should try the plain determinants with orient3d_bound(frame) first, as query/intersection
-// does.
+// Cost: computes a bound for just these points, and converts them to integers even if these are not needed. If the
+// filter decides most cases of a question, try the plain determinants with orient3d_bound(frame) first, as
+// query/intersection does.
 template <std::size_t N, class Ask>
 auto with_signs(Frame& frame, const std::array<VertexRef, N>& vertices, Ask&& ask) {
     frame.find_arithmetic();

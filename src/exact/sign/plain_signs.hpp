@@ -1,6 +1,6 @@
-// PlainSigns takes signs of determinants in plain double at face value.
+// PlainSigns computes determinants in doubles and returns their signs without a test of the rounding error.
 //
-// The filter's bounds are about these functions: their order of operations is the one of the proofs.
+// The filter's bounds are derived for these functions: they have the order of operations that the proofs assume.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace ecods::exact {
 
 using PlainNormal = std::array<double, 3>;
 
-// Returns (b - a) x (d - c).
+// Returns (b - a) x (d - c), rounded.
 ECODS_ALWAYS_INLINE PlainNormal plain_cross(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
     const double x1 = b[0] - a[0], y1 = b[1] - a[1], z1 = b[2] - a[2];
     const double x2 = d[0] - c[0], y2 = d[1] - c[1], z2 = d[2] - c[2];
@@ -28,7 +28,7 @@ ECODS_ALWAYS_INLINE double plain_side(const PlainNormal& n, const Point& a, cons
     return (n[0] * (p[0] - a[0]) + n[1] * (p[1] - a[1])) + n[2] * (p[2] - a[2]);
 }
 
-// Returns det(b - a, c - a, d - a).
+// Returns det(b - a, c - a, d - a), rounded.
 inline double plain_orient3d(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
     return plain_side(plain_normal(a, b, c), a, d);
 }
@@ -42,13 +42,13 @@ inline int sign_of(double x) noexcept {
     return (x > 0) - (x < 0);
 }
 
-// Returns 1 or -1 if the sign is certain, otherwise 0. A NaN is not certain.
+// Returns the sign, 1 or -1, if |x| > bound; otherwise, or if x is NaN, returns 0.
 inline int certain_sign(double x, double bound) noexcept {
     return (x > bound) - (x < -bound);
 }
 
-// Has the functions of an integer kernel (exact/number/kernel.hpp), for points whose determinants plain double computes
-// without a rounding error.
+// An integer kernel (exact/number/kernel.hpp) that computes in doubles. Determinants of the points must have no
+// rounding errors.
 struct PlainArithmetic {
     using Point = exact::Point;
     using Normal = PlainNormal;

@@ -1,4 +1,4 @@
-// VertexSigns gives signs of many determinants of one mesh's vertices in its own coordinates.
+// VertexSigns computes signs of many determinants of one mesh's vertices, in the mesh's own coordinates.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace ecods::exact {
 
-// Returns bounds for all determinants of points whose coordinates have no error. Needs at least one point.
+// Returns error bounds of all determinants of points whose coordinates are exact. There must be at least one point.
 DeterminantBounds own_bounds(std::span<const Vec3> points) noexcept;
 
-// Decides by one bound for all vertices. If that leaves a sign open, looks for a reason without arithmetic that the
-// points are in one plane, as in a face across an axis; then asks the exact predicate.
+// Uses one error bound for all vertices. If it does not decide a sign, tests first without arithmetic if the points are
+// obviously in one plane, for example in a face perpendicular to an axis, and then calls the exact predicate.
 class VertexSigns {
   public:
     // The vertices must outlive this object. Cost: one pass over them.
     explicit VertexSigns(std::span<const Vec3> vertices) noexcept
         : vertices_(vertices), bounds_(own_bounds(vertices)) {}
 
-    // Returns ecods::orient3d of the vertices: exact.
+    // Returns the same as ecods::orient3d for the vertices: exact.
     int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const noexcept;
 
-    // Returns the sign of a component of (b - a) x (c - a): exact.
+    // Returns the sign of component `axis` of (b - a) x (c - a): exact.
     int orient2d(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const noexcept;
 
   private:

@@ -1,4 +1,4 @@
-// cancel_common_pose replaces a pose that all bodies have in common by the identity.
+// cancel_common_pose replaces the pose of all bodies by the identity, if all bodies have the same pose.
 #pragma once
 
 #include <span>
@@ -10,18 +10,18 @@
 
 namespace ecods::exact {
 
-// True if a matrix is a bijection. Exact: orient3d of the origin and the columns has the determinant's sign.
+// True if the determinant of R is not zero. Exact: orient3d of the origin and the columns is the determinant's sign.
 inline bool is_regular(const Mat3& R) noexcept {
     return orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) != Sign::zero;
 }
 
-// True if a matrix turns a right-handed frame into a left-handed one. Exact, too.
+// True if the determinant of R is negative: R maps a right-handed frame to a left-handed one. Exact.
 inline bool is_mirror(const Mat3& R) noexcept {
     return orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) == Sign::negative;
 }
 
-// Gives all bodies the identity for a pose if their poses have the same bits and are regular. A common affine bijection
-// changes no relation between the bodies, and coordinates are shorter where the bodies were modelled.
+// Sets the poses of all bodies to the identity, if all poses have the same bits and their matrix is regular. A common
+// affine bijection changes no relation between bodies, and the coordinates of meshes are often shorter before posing.
 inline void cancel_common_pose(std::span<BodyRef> bodies) noexcept {
     static const Pose identity;
     ECODS_ASSERT(!bodies.empty());

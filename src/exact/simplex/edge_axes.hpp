@@ -1,9 +1,9 @@
-// Triangles that may have no area are separated by the cross product of an edge of each.
+// edges_separate tests if the cross product of an edge of each separates two triangles, which may have no area.
 //
-// The plane of a triangle that is a segment is not known from rounded points: all its determinants are open, and every
-// pair with such a triangle whose boxes meet would go to integers. Real meshes have such triangles. Disjoint convex
-// polygons that neither polygon's plane separates are separated by the cross product of an edge of each (Gottschalk,
-// Lin and Manocha, OBBTree, SIGGRAPH 1996, section 5), which is certainly not zero for most pairs.
+// The plane of a triangle that is a segment is not known from rounded points, because all its determinants are about
+// zero. So every pair with such a triangle whose boxes meet would need integers, and real meshes have such triangles.
+// Disjoint convex polygons that neither polygon's plane separates are separated by the cross product of an edge of each
+// (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996, section 5). It is certainly not zero for most pairs.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 namespace ecods::exact {
 
 // True if the cross product of an edge of each triangle certainly separates them. Points 0 to 2 are the corners of the
-// first triangle, 3 to 5 the corners of the second; `bound` must hold for every orient3d of these points.
+// first triangle, 3 to 5 the corners of the second. `bound` must be an error bound of every orient3d of these points.
 //
-// Projections on n = u x e are taken from the beginning p of the edge u. The ends of u are at 0, exactly, and so is the
-// difference of the ends of e. The projection of any other point x is det(u, e, x - p), a determinant of three
-// differences of the six points, which is off by at most the bound. So the two intervals are disjoint if, as computed,
-// one begins more than twice the bound behind the end of the other; four times the bound covers the rounding of that
-// difference. An infinite bound separates nothing.
+// Points are projected on n = u x e for an edge u of the first and e of the second triangle, relative to the beginning
+// p of u. Both ends of u are at 0, exactly, and both ends of e have the same projection, exactly. The projection of any
+// other point x is det(u, e, x - p), a determinant of three differences of the six points, so its error is at most the
+// bound. So the two intervals are disjoint if, as computed, one begins more than twice the bound beyond the end of the
+// other. Four times the bound also covers the rounding of that difference. An infinite bound proves nothing.
 inline bool edges_separate(const Points<6>& w, double bound) noexcept {
     for (std::size_t i = 0; i < 3; ++i) {
         const Point &p = w[i], &q = w[(i + 1) % 3], &r = w[(i + 2) % 3];

@@ -1,6 +1,6 @@
-// flat_contact decides from signs alone (exact/sign/exact_signs.hpp) how the segment or point that a zero-area triangle
-// spans meets a triangle of positive area, and where on the triangle's boundary pieces of the segment may begin. Points
-// 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
+// flat_contact decides from signs alone (exact/sign/exact_signs.hpp) how a triangle without area meets a triangle with
+// an area. The first one spans a segment or a point. It also finds where pieces of the segment may begin on the
+// boundary of the second one. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace ecods::exact {
 
 struct FlatContact {
     bool meets = false;
-    bool crosses = false;  // the open segment and the open triangle share a single point
-    // Corners of the first triangle that are the ends of the segment; equal for a point.
+    bool crosses = false;  // the open segment and the open triangle share exactly one point
+    // Corners of the first triangle that are the ends of the segment. They are equal if it is a point.
     int from = 0;
     int to = 0;
-    // Set if crosses is false. holds_vertex[k] is true if corner k of the second triangle is on the segment, but not at
-    // its end `to`. crosses_edge[k] is true if the segment meets the second triangle's side from corner k to the next
-    // one in a single point inside the side, which is not `to`.
+    // Both arrays are false if crosses is true. holds_vertex[k] is true if corner k of the second triangle is on the
+    // segment, but not at its end `to`. crosses_edge[k] is true if the segment meets the second triangle's side from
+    // corner k to the next one in exactly one point, which is inside the side and is not `to`.
     std::array<bool, 3> holds_vertex{};
     std::array<bool, 3> crosses_edge{};
 };

@@ -13,7 +13,7 @@ using namespace exact;
 
 const Pose identity;
 
-// Asks the filter and, if that leaves the sign open, integers. `ask` asks one question of a provider of signs.
+// Returns ask(signs), the sign of one determinant. First `signs` is the filter; if its answer is 0 (unknown), integers.
 template <std::size_t N, class Ask>
 Sign decide(const PosedPoints<N>& exact, const RoundedPoints<N>& rounded, Ask&& ask) noexcept {
     const DeterminantBounds bounds = determinant_bounds(rounded.points, rounded.delta);
@@ -39,7 +39,7 @@ PosedPoints<N> refer_to(const std::array<const PosedPoint*, N>& points) noexcept
 }  // namespace
 
 Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept {
-    // Puts the points in the plane z = 0, to be seen along z.
+    // The points are in the plane z = 0, seen along z.
     const Vec3 p(a[0], a[1], 0), q(b[0], b[1], 0), r(c[0], c[1], 0);
     const PosedPoints<3> points = refer_to(std::array{&p, &q, &r});
     return decide(points, plain_points(points), [](const auto& signs) { return signs.orient2d(0, 1, 2, 2); });

@@ -1,11 +1,12 @@
-// Rays along an axis are tested against a triangle from signs alone (exact/sign/exact_signs.hpp). Points 0 to 2 are the
-// corners of the triangle. A ray that would hit a side or a corner is moved symbolically.
+// Rays along a coordinate axis are tested against a triangle, from signs alone (exact/sign/exact_signs.hpp). Points 0
+// to 2 are the triangle's corners. A ray that would meet a side or a corner is displaced symbolically.
 //
-// The triangle's shadow is its projection along the axis: a triangle of the plane, unless it is parallel to the axis;
-// then a ray that is moved in a general way misses it. The ray begins at a point m off the triangle, and m is moved so
-// little that no sign changes but those that were zero: so m is in the open shadow, or off the closed one. The ray
-// crosses the triangle exactly when m is in the shadow and the triangle is in front of m. Positive orient3d(0, 1, 2, m)
-// says that m is above the triangle as seen along the axis if the shadow turns left, and below it if it turns right.
+// The triangle's shadow is its projection along the axis. It is a triangle of the plane, unless the triangle is
+// parallel to the axis; then a ray in general position misses it. The ray begins at a point m that is not on the
+// triangle. m is displaced by so little that only signs change that were zero. After that, m is either in the open
+// shadow or outside of the closed one. The ray crosses the triangle if and only if m is in the shadow and the triangle
+// is in front of m. If the shadow turns left, a positive orient3d(0, 1, 2, m) means that m is above the triangle as
+// seen along the axis; if it turns right, below.
 #pragma once
 
 #include <array>
@@ -17,21 +18,21 @@
 
 namespace ecods::exact {
 
-// Names the axis, 0 to 2, and 1 or -1 for a ray that goes up or down on it.
+// The axis, 0 to 2, and the ray's direction along it: 1 for up, -1 for down.
 struct RayDirection {
     int axis = 0;
     int sign = 1;
 };
 
-// Names the open feature of a triangle that holds a point.
+// The open feature of a triangle that contains a given point; `none` if the point is not on the triangle.
 struct PointFeature {
     enum class Kind : std::uint8_t { none, vertex, edge, face };
 
     Kind kind = Kind::none;
-    int corner = 0;  // the vertex, or the corner where the edge begins
+    int corner = 0;  // the vertex, or the first corner of the edge
 };
 
-// Returns the feature that holds point 3, of a triangle that may have no area.
+// Returns the feature of the triangle (points 0 to 2) that contains point 3. The triangle may have no area.
 template <class Signs>
 PointFeature feature_at(Signs& signs) {
     using Kind = PointFeature::Kind;
@@ -53,8 +54,8 @@ PointFeature feature_at(Signs& signs) {
     return {Kind::face, 0};
 }
 
-// True if the ray from `m` crosses the triangle. `in_shadow(a, b)` is the sign of orient2d(a, b, m) along the ray's
-// axis, and `above()` the sign of orient3d(0, 1, 2, m); neither may be zero.
+// True if the ray from m crosses the triangle. in_shadow(a, b) returns the sign of orient2d(a, b, m) along the ray's
+// axis, and above() the sign of orient3d(0, 1, 2, m). Neither may be zero.
 template <class Signs, class InShadow, class Above>
 bool crosses(Signs& signs, RayDirection ray, InShadow&& in_shadow, Above&& above) {
     const int turn = signs.orient2d(0, 1, 2, ray.axis);
@@ -65,10 +66,10 @@ bool crosses(Signs& signs, RayDirection ray, InShadow&& in_shadow, Above&& above
     return above() * turn * ray.sign < 0;
 }
 
-// True if the ray from point 3, p, crosses the triangle. p is not on the triangle, and m = p + d e_i + d^2 e_j for the
-// other two axes i and j and an infinitesimal d > 0. orient2d(a, b, m) is
-// (b_i - a_i)(m_j - a_j) - (b_j - a_j)(m_i - a_i): if it is 0 for p, its change has the sign of a_j - b_j or, if that
-// is zero, of b_i - a_i.
+// True if the ray from p crosses the triangle. p is point 3, and must not be on the triangle. The ray begins at m = p +
+// d e_i + d^2 e_j for the other two axes i and j and an infinitesimal d > 0. orient2d(a, b, m) is (b_i - a_i)(m_j -
+// a_j) - (b_j - a_j)(m_i - a_i). If it is 0 for p, its change has the sign of a_j - b_j or, if that is zero, of b_i -
+// a_i.
 template <class Signs>
 bool ray_crosses(Signs& signs, RayDirection ray) {
     const int i = (ray.axis + 1) % 3, j = (ray.axis + 2) % 3;
@@ -80,9 +81,9 @@ bool ray_crosses(Signs& signs, RayDirection ray) {
     return crosses(signs, ray, in_shadow, [&] { return signs.orient3d(0, 1, 2, 3); });
 }
 
-// True if the ray from inside the triangle p, q, r of points 3, 4 and 5 crosses the other triangle, where
-// m = p + d (q - p) + d^2 (r - p). A function that is affine in m has the sign of the first of its values at p, q and r
-// that is not zero.
+// True if a ray that begins inside a second triangle crosses the triangle. The second triangle has the corners p, q and
+// r, points 3, 4 and 5, and the ray begins at m = p + d (q - p) + d^2 (r - p) for an infinitesimal d > 0. A function
+// that is affine in m has the sign of the first of its values at p, q and r that is not zero.
 template <class Signs>
 bool inner_ray_crosses(Signs& signs, RayDirection ray) {
     const auto in_shadow = [&](int a, int b) {
@@ -97,19 +98,20 @@ bool inner_ray_crosses(Signs& signs, RayDirection ray) {
     return crosses(signs, ray, in_shadow, above);
 }
 
-// Says how a ray meets a triangle of positive area.
+// How a ray meets a triangle of positive area.
 enum class RayContact : std::uint8_t {
     misses,
     crosses,
     begins_on,
 };
 
-// Decides the ray from m = p + d (q - p) + d^2 (r - p) + d^3 e_i + d^4 e_j, where p, q and r are points 3, 4 and 5.
-// They may be equal or on one line: for q = r, m is beside p on the way to q.
+// Decides how the ray from m = p + d (q - p) + d^2 (r - p) + d^3 e_i + d^4 e_j meets the triangle; d > 0 is
+// infinitesimal, and p, q and r are points 3, 4 and 5. They may be equal or on one line: for q = r, m is beside p on
+// the way to q.
 //
-// Let m' be m without the last two terms. The ray begins on the triangle if m' is on it. Otherwise m' is in the
-// triangle's plane and beside the triangle, which the ray misses, or off the plane. The last two terms then leave m on
-// the same side of the plane, and move its shadow off the lines of the triangle's sides.
+// Let m' be m without the last two terms. The ray begins on the triangle if m' is on it. Otherwise m' may be in the
+// triangle's plane and beside the triangle: then the ray misses it. Or m' is not in the plane: then the last two terms
+// leave m on the same side of the plane, and displace its shadow from the lines of the triangle's sides.
 template <class Signs>
 RayContact moved_ray_contact(Signs& signs, RayDirection ray) {
     const auto first_sign = [](auto&& at) {

@@ -1,5 +1,5 @@
-// Zero-area triangles are decided as the segments and points that they span, from signs alone (see triangle_pair.hpp).
-// A triangle is named by the first of its three corners.
+// Triangles of zero area are decided as the segments or points that they span, from signs alone (triangle_pair.hpp). A
+// triangle is named by the index of the first of its three corners.
 #pragma once
 
 #include <array>
@@ -9,13 +9,14 @@
 
 namespace ecods::exact {
 
-// Names the end points of a segment; equal indices for a point.
+// The indices of a segment's ends. They are equal if the segment is a point.
 struct Segment {
     int a;
     int b;
 };
 
-// Compares two points by x, then y, then z: -1, 0 or 1. On any line this is the order of its points.
+// Compares two points by x, then y, then z, and returns -1, 0 or 1. Points of any line are sorted along it in this
+// order.
 template <class Signs>
 int compare_lexicographically(Signs& signs, int a, int b) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -24,7 +25,7 @@ int compare_lexicographically(Signs& signs, int a, int b) {
     return 0;
 }
 
-// Returns the segment or point that a zero-area triangle spans, by its extreme corners.
+// Returns the segment or point that the triangle of zero area from corner `first` spans: its extreme corners.
 template <class Signs>
 Segment find_segment(Signs& signs, int first) {
     Segment s{first, first};
@@ -49,10 +50,10 @@ template <class Signs>
 bool segments_meet(Signs& signs, Segment s, Segment t) {
     if (is_on_segment(signs, s.a, t) || is_on_segment(signs, s.b, t)) return true;
     if (is_on_segment(signs, t.a, s) || is_on_segment(signs, t.b, s)) return true;
-    // No end is on the other segment: the segments can only cross properly, in one plane.
+    // No end is on the other segment, so the segments share a point only if they cross properly, in one plane.
     if (signs.orient3d(s.a, s.b, t.a, t.b) != 0) return false;
-    // A projection in which some sign is not zero does not show the plane, or the line, edge-on: the segments cross
-    // properly exactly if they do so in this projection.
+    // If some sign is not zero in a projection, their plane is not seen edge-on, and a line not end-on. Then the
+    // segments cross properly if and only if they do so in this projection.
     for (int axis = 0; axis < 3; ++axis) {
         const int ta = signs.orient2d(s.a, s.b, t.a, axis), tb = signs.orient2d(s.a, s.b, t.b, axis);
         const int sa = signs.orient2d(t.a, t.b, s.a, axis), sb = signs.orient2d(t.a, t.b, s.b, axis);
@@ -61,7 +62,8 @@ bool segments_meet(Signs& signs, Segment s, Segment t) {
     return false;
 }
 
-// True if a segment in the plane of a proper triangle meets it, seen along an axis on which the normal is not zero.
+// True if segment s meets the triangle from corner `first`. The segment must be in the triangle's plane, whose normal
+// must not be zero on `axis`: the two are projected along it.
 template <class Signs>
 bool meets_in_plane(Signs& signs, Segment s, int first, int axis) {
     const int turn = signs.orient2d(first, first + 1, first + 2, axis);
@@ -79,8 +81,8 @@ bool meets_in_plane(Signs& signs, Segment s, int first, int axis) {
     return false;
 }
 
-// Decides a segment or point against a proper triangle. Crossing means that the open segment meets the open triangle in
-// one point.
+// Decides how a segment or point s meets the triangle from corner `first`, which must have an area. The result is
+// crossing if the open segment and the open triangle share exactly one point.
 template <class Signs>
 Relation segment_triangle(Signs& signs, Segment s, int first) {
     const int side_a = signs.orient3d(first, first + 1, first + 2, s.a);
@@ -90,8 +92,8 @@ Relation segment_triangle(Signs& signs, Segment s, int first) {
         const bool meets = meets_in_plane(signs, s, first, signs.normal_axis(first));
         return meets ? Relation::touching : Relation::apart;
     }
-    // The segment's line meets the plane in one point of the segment. That point is in the closed triangle exactly when
-    // the line does not pass the three directed edges on different sides.
+    // The segment's line meets the plane in one point of the segment. This point is in the closed triangle if and only
+    // if the line does not pass two directed edges on different sides.
     bool positive = false, negative = false, zero = false;
     for (int edge = 0; edge < 3; ++edge) {
         const int side = signs.orient3d(s.a, s.b, first + edge, first + (edge + 1) % 3);
@@ -103,7 +105,8 @@ Relation segment_triangle(Signs& signs, Segment s, int first) {
     return side_a * side_b < 0 && !zero ? Relation::crossing : Relation::touching;
 }
 
-// Decides a pair of which at least one triangle has zero area. Two segments that meet are in one plane, hence touching.
+// Decides a pair of triangles of which at least one has zero area. Two segments that meet are in one plane, so the
+// result is touching.
 template <class Signs>
 Relation degenerate_pair(Signs& signs) {
     const bool first_is_flat = signs.normal_axis(0) < 0;

@@ -1,12 +1,12 @@
-// triangle_contact decides from signs alone (exact/sign/exact_signs.hpp) whether two triangles of positive area share
-// more than isolated points, and along which of their features. Points 0 to 2 are the corners of the first triangle, 3
-// to 5 the corners of the second.
+// triangle_contact decides from signs alone (exact/sign/exact_signs.hpp) if two triangles share more than one point,
+// and along which of their features. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the
+// second.
 //
 // Triangles in two planes share the intersection of their intervals on the line of the planes (triangle_pair.hpp). It
-// is a segment exactly when both comparisons are strict and neither interval is a single corner. An interval is a
-// single corner if this corner is in the other's plane and the other two corners are strictly on one side of it. The
-// whole segment then lies on a side of a triangle if both ends of the side are in the other's plane, and inside the
-// triangle otherwise.
+// is a segment if and only if both comparisons there are strict and neither interval is a single corner. An interval is
+// a single corner if this corner is in the other's plane and the other two corners are strictly on one side of it. The
+// whole segment lies on a side of a triangle if both ends of that side are in the other's plane. Otherwise it is inside
+// the triangle.
 #pragma once
 
 #include <array>
@@ -22,22 +22,22 @@ namespace ecods::exact {
 enum class ContactKind : std::uint8_t {
     none,      // they share no point
     point,     // they share one point
-    segment,   // they share a segment, and are in two planes
-    coplanar,  // the triangles are in one plane
-    flat,      // the first has no area and is not in the plane of the second
+    segment,   // they share one segment, and are in two planes
+    coplanar,  // they are in one plane
+    flat,      // the first triangle has no area and is not in the second's plane
 };
 
 struct TriangleContact {
     static constexpr int face = -1;
 
     ContactKind kind = ContactKind::none;
-    // For a segment: the side of each triangle that it lies on, from corner `first` or `second` to the next one, or
-    // `face`.
+    // Only for a segment: the side of the first triangle on which the segment lies, named by its first corner, or
+    // `face` if it lies inside the triangle. `second` is the same for the second triangle.
     int first = face;
     int second = face;
 };
 
-// Returns the side whose ends both have the sign 0, or `face`.
+// Returns the side, named by its first corner, whose ends are both in the plane (sign 0); `face` if there is none.
 inline int side_in_plane(const Sides& s) noexcept {
     for (std::size_t i = 0; i < 3; ++i) {
         if (s[i] == 0 && s[(i + 1) % 3] == 0) return static_cast<int>(i);
@@ -45,12 +45,12 @@ inline int side_in_plane(const Sides& s) noexcept {
     return TriangleContact::face;
 }
 
-// True if one corner is in the plane and the others are strictly on one side.
+// True if exactly one corner is in the plane, and the other two are strictly on the same side of it.
 inline bool is_single_corner(const Sides& s) noexcept {
     return (s[0] == 0) + (s[1] == 0) + (s[2] == 0) == 1 && !strictly_on_both(s);
 }
 
-// Needs a second triangle with an area. If the first has none, the answer is none, coplanar or flat.
+// The second triangle must have an area. If the first one has none, the result is none, coplanar or flat.
 template <class Signs>
 TriangleContact triangle_contact(Signs& signs) {
     const Sides first = signs.sides(3, 0);
@@ -69,8 +69,9 @@ TriangleContact triangle_contact(Signs& signs) {
     return {ContactKind::segment, side_in_plane(first), side_in_plane(second)};
 }
 
-// True if two triangles of one plane share an inner point, seen along an axis on which that plane's normal is not zero:
-// no side of either has all of the other on its outer side or on its line.
+// True if two triangles in one plane share an inner point: there is no side of either such that the other triangle is
+// entirely on its outer side or its line. The plane's normal must not be zero on `axis`: the two are projected along
+// it.
 template <class Signs>
 bool coplanar_faces_overlap(Signs& signs, int axis) {
     for (const int own : {0, 3}) {
@@ -87,9 +88,9 @@ bool coplanar_faces_overlap(Signs& signs, int axis) {
     return true;
 }
 
-// True if the segments pq and rs of one plane lie along each other: on one line, with more than a point in common. The
-// plane's normal is not zero on `normal_axis`. Points of a line are ordered by their coordinates on the first axis on
-// which p and q differ.
+// True if the segments pq and rs are on one line and share more than one point. They must be in one plane, whose normal
+// is not zero on `normal_axis`. Points of the line are ordered by their coordinates on the first axis on which p and q
+// differ.
 template <class Signs>
 bool segments_lie_along(Signs& signs, int p, int q, int r, int s, int normal_axis) {
     if (signs.orient2d(p, q, r, normal_axis) != 0 || signs.orient2d(p, q, s, normal_axis) != 0) return false;

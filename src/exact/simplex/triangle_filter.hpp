@@ -1,9 +1,9 @@
-// The triangle filter is the hot path: it decides a pair of triangles by plain doubles and one bound. Points 0 to 2 are
-// the corners of the first triangle, 3 to 5 the corners of the second.
+// The triangle filter is the hot path: it decides in doubles, with one error bound, if two triangles share a point.
+// Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
 //
-// A bound is finite or infinite. If it is finite, no coordinate is large enough for a NaN or infinity to arise
-// (exact/sign/filter_bound.hpp). If it is infinite, no comparison with it succeeds. So minima and maxima need no care
-// about NaN.
+// A bound is finite or infinite. If it is finite, coordinates are so small that no NaN or infinity arises
+// (exact/sign/filter_bound.hpp). If it is infinite, every comparison with it is false. So std::min and std::max need no
+// special care about NaN.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,16 @@
 
 namespace ecods::exact {
 
-// The filter never certifies touching: it cannot distinguish a zero from a small number.
+// The filter's answer. It is never touching, since the filter cannot distinguish zero from a small number.
 enum class FilterAnswer { disjoint, crossing, unknown };
 
-// The relation that an answer is certain of.
+// Returns the relation that follows from the answer; nullopt if the answer is unknown.
 inline std::optional<Relation> certain_relation(FilterAnswer answer) noexcept {
     if (answer == FilterAnswer::unknown) return std::nullopt;
     return answer == FilterAnswer::disjoint ? Relation::apart : Relation::crossing;
 }
 
-// Holds the values of one plane's determinant at three corners.
+// The determinants of one triangle's plane and each corner of the other triangle.
 struct PlaneSides {
     double a, b, c;
 
@@ -38,7 +38,7 @@ struct PlaneSides {
     ECODS_ALWAYS_INLINE bool are_certain(double bound) const noexcept {
         return std::min({std::abs(a), std::abs(b), std::abs(c)}) > bound;
     }
-    // Returns 1 or -1 where the sign is certain, otherwise 0.
+    // Returns for each corner 1 or -1 if the sign is certain, otherwise 0.
     ECODS_ALWAYS_INLINE Sides certain_signs(double bound) const noexcept {
         return {certain_sign(a, bound), certain_sign(b, bound), certain_sign(c, bound)};
     }
@@ -49,7 +49,7 @@ ECODS_ALWAYS_INLINE PlaneSides plane_sides(const Points<6>& w, std::size_t own, 
     return {plain_side(n, w[own], w[other]), plain_side(n, w[own], w[other + 1]), plain_side(n, w[own], w[other + 2])};
 }
 
-// Decides by the two comparisons along the line of the planes, for sides that are all certain.
+// Compares the intervals along the line of the two planes. All signs in `first` and `second` must be certain (1 or -1).
 inline FilterAnswer filter_edges(const Points<6>& w, const Sides& first, const Sides& second, double bound) noexcept {
     const EdgeComparison e = name_corners(first, second);
     const auto at = [&](int i) -> const Point& { return w[static_cast<std::size_t>(i)]; };
@@ -60,13 +60,14 @@ inline FilterAnswer filter_edges(const Points<6>& w, const Sides& first, const S
     return begin < -bound && end < -bound ? FilterAnswer::crossing : FilterAnswer::unknown;
 }
 
-// Keeps the determinants that the filter computed before it gave up, for the stages after it.
+// The determinants that the filter computed before it returned. If its answer was unknown, later stages use them again.
 struct FilterTrace {
-    PlaneSides first;   // corners of the first triangle against the plane of the second
-    PlaneSides second;  // set unless `first` decided
+    PlaneSides first;   // the first triangle's corners and the second's plane
+    PlaneSides second;  // the reverse; not set if `first` sufficed for the answer
 };
 
-// Tries to decide by `bound`, which must hold for every orient3d of these points.
+// Decides if the triangles share a point, or returns unknown. `bound` must be an error bound of every orient3d of these
+// points. Sets `trace`.
 ECODS_ALWAYS_INLINE FilterAnswer filter(const Points<6>& w, double bound, FilterTrace& trace) noexcept {
     trace.first = plane_sides(w, 3, 0);
     if (trace.first.are_beyond(bound)) return FilterAnswer::disjoint;
@@ -76,23 +77,23 @@ ECODS_ALWAYS_INLINE FilterAnswer filter(const Points<6>& w, double bound, Filter
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
 
-// Tries to decide by another bound, from determinants that have been computed.
+// Does the same as filter() with another bound, from the determinants in `trace`, both of which must be set.
 inline FilterAnswer filter_again(const Points<6>& w, double bound, const FilterTrace& trace) noexcept {
     if (trace.first.are_beyond(bound) || trace.second.are_beyond(bound)) return FilterAnswer::disjoint;
     if (!trace.first.are_certain(bound) || !trace.second.are_certain(bound)) return FilterAnswer::unknown;
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
 
-// Takes the sides of two triangles from a trace in which both planes are set, and other signs from FilteredSigns.
+// FilteredSigns that takes sides() from a trace in which both members are set, and computes other signs.
 template <class Kernel>
 class TracedSigns : public FilteredSigns<Kernel, 6> {
   public:
-    // The arguments must outlive the signs.
+    // The arguments must outlive this object.
     TracedSigns(const Points<6>& points, const DeterminantBounds& bounds, const FilterTrace& trace,
                 const IntegerPoints<Kernel, 6>& integers) noexcept
         : FilteredSigns<Kernel, 6>(points, bounds, integers), trace_(trace), bound_(bounds.orient3d) {}
 
-    // Two triangles have only these sides: `points` is the other triangle.
+    // Only the sides of one triangle's corners and the other's plane may be asked for.
     Sides sides(int plane, int points) const noexcept {
         ECODS_ASSERT((plane == 0 && points == 3) || (plane == 3 && points == 0));
         return this->complete((plane == 3 ? trace_.first : trace_.second).certain_signs(bound_), plane, points);

@@ -1,20 +1,21 @@
-// triangle_pair decides from signs alone how two triangles meet.
+// triangle_pair decides from signs alone if two triangles are apart, touch or cross.
 //
-// The decision is written once, for any provider of signs (exact/sign/exact_signs.hpp). Points 0 to 2 are the corners
-// of the first triangle, 3 to 5 the corners of the second; a triangle is named by the first of its corners. If the
-// provider's signs are exact, so is the decision.
+// The decision is written once, for any provider of signs (exact/sign/exact_signs.hpp); it is exact if the provider's
+// signs are. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second. A triangle is named
+// by the index of its first corner.
 //
-// Proper triangles in different planes (Guigue and Devillers 2003, derived again). Let the corners of each be on both
-// closed sides of the other's plane. Both triangles then meet the line L of the two planes in closed intervals. Name
-// the corners of the first p1, q1, r1 such that p1 is alone on its side: q1 and r1 are on the opposite closed side. L
-// meets the first triangle between its edges p1q1 and p1r1, and the second between p2q2 and p2r2. Swap q2 and r2 if p1
-// is on the negative side of the second plane, and q1 and r1 if p2 is on the negative side of the first. Then both
-// intervals are named in the same direction along L, and they share a point exactly when neither ends before the other
-// begins. Each of these two comparisons is a sign of orient3d of two edges: for the beginning on p2q2 and the end on
-// p1r1, of these two edges. The intervals share an open interval exactly when both comparisons are strict.
+// Triangles with areas in different planes (Guigue and Devillers 2003, derived again). Suppose that neither triangle
+// has all corners strictly on one side of the other's plane. Then both triangles meet the line L of the two planes in
+// closed intervals. Name the corners of the first triangle p1, q1, r1 such that p1 is alone on its side: q1 and r1 are
+// on the opposite closed side. L meets the first triangle between its edges p1q1 and p1r1, and the second between p2q2
+// and p2r2. Swap q2 and r2 if p1 is on the negative side of the second plane, and q1 and r1 if p2 is on the negative
+// side of the first. Then both intervals are named in the same direction along L, and they share a point if and only if
+// neither ends before the other begins. Each of these two comparisons is a sign of orient3d of two edges: whether one
+// interval begins (on p2q2) before the other ends (on p1r1) is the sign for these two edges. The intervals share an
+// open interval if and only if both comparisons are strict.
 //
-// Relative interiors then share a point exactly when each triangle has corners strictly on both sides (otherwise its
-// interval on L is on its boundary) and both comparisons are strict.
+// The triangles' relative interiors share a point if and only if each triangle has corners strictly on both sides of
+// the other's plane (otherwise its interval on L is on its boundary) and both comparisons are strict.
 #pragma once
 
 #include <array>
@@ -40,26 +41,26 @@ inline bool strictly_on_both(const Sides& s) noexcept {
     return (s[0] > 0 || s[1] > 0 || s[2] > 0) && (s[0] < 0 || s[1] < 0 || s[2] < 0);
 }
 
-// Names the corner that is alone on its side; `negative` is true if that side is the negative one.
+// The corner that is alone on its side of a plane; `negative` is true if that is the negative side.
 struct Apex {
     int corner;
     bool negative;
 };
 
-// Returns the apex; `s` must not be all positive, all negative or all zero.
+// Returns the apex for the signs of three corners, which must not be all positive, all negative or all zero.
 inline Apex find_apex(const Sides& s) noexcept {
     ECODS_ASSERT(!all_positive(s) && !all_negative(s) && !all_zero(s));
     const int positive_count = (s[0] > 0) + (s[1] > 0) + (s[2] > 0);
     const int negative_count = (s[0] < 0) + (s[1] < 0) + (s[2] < 0);
-    // If one corner is positive, the other two are on the closed negative side; if one is negative, on the closed
-    // positive side. Otherwise one corner is in the plane and the other two are strictly on one side: the one in the
-    // plane counts as on the opposite side.
+    // If exactly one corner is positive, the other two are on the closed negative side; if exactly one is negative, the
+    // other two are on the closed positive side. Otherwise one corner is in the plane and the other two are strictly on
+    // one side: the corner in the plane counts as being on the opposite side.
     const int wanted = positive_count == 1 ? 1 : negative_count == 1 ? -1 : 0;
     const bool negative = wanted < 0 || (wanted == 0 && positive_count > 0);
     return {s[0] == wanted ? 0 : s[1] == wanted ? 1 : 2, negative};
 }
 
-// Names the corners that the two comparisons along L are about.
+// The corners p1, q1, r1, p2, q2, r2 of the derivation above, after its swaps.
 struct EdgeComparison {
     int p1, q1, r1, p2, q2, r2;
 };
@@ -74,8 +75,8 @@ inline EdgeComparison name_corners(const Sides& first, const Sides& second) noex
     return e;
 }
 
-// Decides two proper triangles in one plane, seen along an axis on which that plane's normal is not zero. Two convex
-// polygons are disjoint exactly when all of one is strictly on the outer side of an edge of the other.
+// Decides two triangles with areas in one plane, whose normal must not be zero on `axis`: they are projected along it.
+// Two convex polygons are disjoint if and only if all of one is strictly on the outer side of an edge of the other.
 template <class Signs>
 Relation coplanar_pair(Signs& signs, int axis) {
     for (const int own : {0, 3}) {
@@ -95,8 +96,8 @@ Relation coplanar_pair(Signs& signs, int axis) {
     return Relation::touching;
 }
 
-// Decides a pair of which one triangle has all corners in the other's plane. (Against a zero-area triangle all points
-// have side 0.)
+// Decides a pair in which all corners of one triangle are in the other's plane. (All points have side 0 to a triangle
+// of zero area.)
 template <class Signs>
 Relation flat_pair(Signs& signs) {
     const int axis = signs.normal_axis(3);

@@ -10,7 +10,7 @@
 namespace ecods::python {
 namespace {
 
-// The greatest integer up to which doubles represent all integers.
+// Doubles represent all integers up to this one.
 constexpr std::int64_t whole_max = std::int64_t{1} << 53;
 
 py::array to_array(py::handle value, const char* what) {
@@ -44,7 +44,8 @@ void require_shape(const Doubles& array, const char* what, std::span<const py::s
     }
 }
 
-// Checks the shape of a pose, and returns the number of its entries: 16 or 12.
+// Checks the shape of an array of poses, whose matrices begin at axis `first_axis`. Returns the number of entries of a
+// pose: 16 or 12.
 std::size_t pose_entries(const Doubles& array, py::ssize_t first_axis, const char* what) {
     const bool fits = array.ndim() == first_axis + 2 && array.shape(first_axis + 1) == 4 &&
                       (array.shape(first_axis) == 3 || array.shape(first_axis) == 4);
@@ -193,7 +194,7 @@ py::array_t<std::uint32_t> from_triangles(std::span<const TrianglePair> pairs) {
 
 namespace {
 
-// Throws StaleBody for the first number that is negative.
+// Throws StaleBody for the first number that is negative. `kind` is the kind of the array's numpy type.
 void require_ids(const py::array& array, char kind) {
     if (kind != 'i') return;
     const auto numbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(array);
@@ -207,7 +208,7 @@ void require_ids(const py::array& array, char kind) {
 std::vector<BodyId> to_bodies(py::handle value) {
     const py::array array = to_array(value, "bodies");
     const char kind = array.dtype().kind();
-    const bool is_empty = array.size() == 0;  // numpy makes an empty list an array of floats
+    const bool is_empty = array.size() == 0;  // numpy makes an array of floats from an empty list
     if (array.ndim() != 1 || (kind != 'u' && kind != 'i' && !is_empty)) {
         throw py::type_error("bodies: one axis of ids is expected, not " + shape_text(array) + " of " +
                              std::string(py::str(array.dtype())));

@@ -18,15 +18,16 @@ namespace ecods::python {
 
 namespace py = pybind11;
 
-// Contiguous doubles, row by row.
+// Holds contiguous doubles, row by row.
 using Doubles = py::array_t<double, py::array::c_style>;
 
-// Returns the numbers of an array, or of an object that numpy turns into one. Throws TypeError if they are not numbers,
-// and ValueError if an integer cannot be a double exactly. `what` names the argument in messages.
+// Returns the numbers of an array, or of an object that numpy converts to an array. Throws TypeError if they are not
+// numbers, and ValueError if an integer is not exactly representable as a double. `what` names the argument in
+// messages.
 Doubles exact_doubles(py::handle value, const char* what);
 
-// Returns the numbers of an array of this shape, in which -1 stands for any length. Also throws ValueError for another
-// shape.
+// Returns the numbers of an array of this shape, in which -1 stands for any length. Throws like the function above, and
+// ValueError for any other shape.
 Doubles exact_doubles(py::handle value, const char* what, std::span<const py::ssize_t> shape);
 
 // Returns the numbers of an array of points, (n, 3).
@@ -43,14 +44,15 @@ Vec3 to_vec3(py::handle value, const char* what);
 // Returns the box of an array (2, 3), whose first row is the least corner.
 Aabb to_box(py::handle value);
 
-// One pose: (4, 4) with a last row of 0 0 0 1, (3, 4), or None, which is where the mesh is. Throws InvalidArgument.
+// Returns the pose of an array: (4, 4) with a last row of 0 0 0 1, or (3, 4). None stands for the identity. Throws
+// InvalidArgument.
 Pose to_pose(py::handle value);
 
-// Returns the pose of 12 doubles, row by row; four more may follow. Does not check them.
+// Returns the pose whose matrix is the first 12 entries, row by row. Does not check them.
 Pose pose_of(const double* entries);
 
-// Poses one after the other: (k, 4, 4) or (k, 3, 4); or one, which then stands for as many as are asked for. All of
-// them are checked when the list is made: InvalidArgument names the entry.
+// Holds a list of poses, (k, 4, 4) or (k, 3, 4), or a single pose, which every index gives. The constructor checks all
+// poses and throws InvalidArgument, which names the index of the first bad pose.
 class PoseList {
   public:
     explicit PoseList(py::handle value, const char* what);
@@ -63,10 +65,10 @@ class PoseList {
     Doubles array_;
     const double* data_ = nullptr;
     std::size_t count_ = 1;
-    std::size_t step_ = 0;  // 0 for a single pose
+    std::size_t step_ = 0;  // number of doubles from one pose to the next; 0 for a single pose
 };
 
-// The functions below return new arrays.
+// These functions return new arrays.
 py::array_t<double> from_vec3(const Vec3& v);
 py::array_t<double> from_points(std::span<const Vec3> points);  // (n, 3)
 py::array_t<double> from_box(const Aabb& box);                  // (2, 3)
@@ -77,7 +79,7 @@ py::array_t<Number> from_numbers(const std::vector<Number>& numbers) {
     return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
-// Returns a row for each pair, (n, 2), with number_of() of its two names.
+// Returns an array (n, 2) with a row for each pair: number_of(pair.a) and number_of(pair.b).
 template <class Number, class Pairs, class NumberOf>
 py::array_t<Number> from_named_pairs(const Pairs& pairs, const NumberOf& number_of) {
     py::array_t<Number> array({static_cast<py::ssize_t>(pairs.size()), py::ssize_t{2}});
@@ -89,8 +91,8 @@ py::array_t<Number> from_named_pairs(const Pairs& pairs, const NumberOf& number_
     return array;
 }
 
-// Convert a body to a number and back. A number that no body has becomes the null id, which every call rejects as
-// stale.
+// Convert a body id to Python's number and back. A number of no body becomes an id that no body has, which every call
+// rejects as stale.
 constexpr std::uint64_t number_of(BodyId body) noexcept {
     return body.rank();
 }
@@ -104,7 +106,8 @@ py::array_t<std::uint64_t> from_bodies(std::span<const BodyId> bodies);         
 py::array_t<std::uint64_t> from_pairs(std::span<const BodyPair> pairs);          // (n, 2)
 py::array_t<std::uint32_t> from_triangles(std::span<const TrianglePair> pairs);  // (n, 2)
 std::vector<BodyId> to_bodies(py::handle value);
-// Returns poses for `bodies`, checked as PoseList does; errors name the body, as those of World::set_poses do.
+// Returns poses for `bodies`, checked like those of a PoseList; errors name the body, as the errors of World::set_poses
+// do.
 std::vector<Pose> to_poses(py::handle value, std::span<const BodyId> bodies);
 
 }  // namespace ecods::python

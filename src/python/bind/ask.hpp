@@ -1,4 +1,4 @@
-// Asks questions from Python without the interpreter's lock, in the memory that the library keeps for each thread.
+// Asks the library questions from Python, without the interpreter's lock.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,15 +7,15 @@
 
 namespace ecods::python {
 
-// Returns question(), called without the interpreter's lock.
+// Returns question(), which runs without the interpreter's lock.
 template <class Question>
 auto ask(Question question) {
     const pybind11::gil_scoped_release release;
     return question();
 }
 
-// Returns question(ask), called in the same way, with an Ask of the witness, if there is one. Other threads may be
-// using the witness: the question works on a copy.
+// Returns question(ask), which runs without the interpreter's lock. If there is a witness, `ask` has a copy of it,
+// which is stored to *witness afterwards: other threads may use the witness meanwhile.
 template <class Question>
 auto ask(PairWitness* witness, Question question) {
     if (witness == nullptr) return ask([&] { return question(Ask()); });
@@ -25,7 +25,9 @@ auto ask(PairWitness* witness, Question question) {
     return answer;
 }
 
-// Return functions for pybind11 that ask question(given...), and question(given..., ask) with a witness.
+// Return functions for pybind11 to bind. The function of asked() returns question(given...). The function of
+// asked_with_witness() takes a witness as a further argument and returns question(given..., ask), in which `ask` has
+// the witness. Both run without the interpreter's lock.
 template <class... Given, class Question>
 auto asked(Question question) {
     return [question](const Given&... given) { return ask([&] { return question(given...); }); };
@@ -37,7 +39,7 @@ auto asked_with_witness(Question question) {
     };
 }
 
-// A callable that selects the overload of the library's function `name` by its arguments.
+// Makes a callable that calls the library's function `name`; the arguments select the overload.
 #define ECODS_QUESTION(name) [](const auto&... given) { return name(given...); }
 
 }  // namespace ecods::python

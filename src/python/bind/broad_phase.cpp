@@ -21,7 +21,8 @@ py::array_t<ProxyIndex> found(const BroadPhase& self, const What& what) {
     return from_numbers(self.find(what));
 }
 
-// Returns the state of a copy: the boxes with their numbers. A copy is as before its first update, with empty lists.
+// Returns the state to pickle or copy: the boxes with their numbers. A copy is like a broad phase before its first
+// update, with empty lists.
 py::tuple boxes_of(const BroadPhase& self) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Aabb everything{.min = Vec3::Constant(-infinity), .max = Vec3::Constant(infinity)};
@@ -53,23 +54,25 @@ std::unique_ptr<BroadPhase> with_boxes(const py::tuple& state) {
 void bind_broad_phase(py::module_& m) {
     const py::arg proxy("proxy");
     const py::arg box("box");
-    py::class_<BroadPhase> type(
-        m, "BroadPhase",
-        "Finds which boxes (2, 3) overlap. Each box has a number that the caller chooses, a proxy: keep them dense.");
+    py::class_<BroadPhase> type(m, "BroadPhase",
+                                "Finds which boxes (2, 3) overlap. The caller chooses a number for each box, its "
+                                "proxy; proxies should be dense.");
     type.def(py::init([](BroadPhaseKind kind) { return make_broad_phase(kind); }), py::arg("kind") = "automatic");
     const auto add = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
         validate(at);
         self.add(which, at);
     };
     type.def("add", add, proxy, box,
-             "Adds a box. Raises InvalidArgument; Error if the proxy is there, or not below 2**31.");
+             "Adds a box. Raises InvalidArgument, or Error if the proxy is present already or is not less than 2**31.");
     const auto move = [](BroadPhase& self, ProxyIndex which, const Aabb& at) {
         validate(at);
         self.move(which, at);
     };
-    type.def("move", move, proxy, box, "Gives a proxy another box. Raises InvalidArgument; Error if there is none.");
-    type.def("remove", &BroadPhase::remove, proxy, "Raises Error if there is none.");
-    type.def("box", &BroadPhase::box, proxy, "(2, 3) float64.");
+    type.def("move", move, proxy, box,
+             "Gives a proxy another box. Raises InvalidArgument, or Error if the proxy is not present.");
+    type.def("remove", &BroadPhase::remove, proxy,
+             "Removes the box of a proxy. Raises Error if the proxy is not present.");
+    type.def("box", &BroadPhase::box, proxy, "The box of a proxy: (2, 3) float64.");
     type.def("__len__", &BroadPhase::size);
     type.def("__repr__", [](const BroadPhase& self) {
         return "<ecods.BroadPhase of " + std::to_string(self.size()) + " boxes, " +

@@ -29,7 +29,7 @@
 
 namespace ecods::python {
 
-// Returns the value of an integer object; null for other objects, such as an array of several numbers.
+// Returns an integer object as a Python int; null for other objects, such as a float or an array of several numbers.
 inline py::object integer_of(py::handle value) {
     if (PyFloat_Check(value.ptr()) || !PyIndex_Check(value.ptr())) return {};
     auto integer = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
@@ -39,7 +39,7 @@ inline py::object integer_of(py::handle value) {
     return {};
 }
 
-// Returns the body of an integer; nothing if the integer is negative, or has more than 64 bits.
+// Returns the body id of a Python int; nothing if the integer is negative or has more than 64 bits.
 inline std::optional<BodyId> body_of(const py::object& integer) {
     const std::uint64_t number = PyLong_AsUnsignedLongLong(integer.ptr());
     if (PyErr_Occurred() == nullptr) return body_of(number);
@@ -47,13 +47,13 @@ inline std::optional<BodyId> body_of(const py::object& integer) {
     return std::nullopt;
 }
 
-// An id as an argument of functions that accept any integer; null if the integer is no id.
+// Holds an id that was given to a function which accepts any integer; the null id if the integer is no id.
 struct AnyId {
     BodyId body;
 };
 
-// Python's enum for an enum of the library: its type, and its members in the order of their values, of which `least` is
-// the first. Lives as long as the process.
+// Holds Python's enum for an enum of the library: its type, and its members in the order of their values, beginning
+// with the value `least`. Lives as long as the process.
 struct Enumeration {
     PyObject* type = nullptr;
     std::vector<PyObject*> members;
@@ -89,7 +89,7 @@ inline Vec3 to_point(py::handle value) {
     return to_vec3(value, "point or vector");
 }
 
-// Returns the value of a member, or of a member's name; nothing for other objects.
+// Returns the value of a member of the enum, or of a member's name; nothing for other objects.
 std::optional<int> value_of(py::handle member_or_name, const Enumeration& enumeration);
 
 }  // namespace ecods::python
@@ -122,6 +122,7 @@ ECODS_PYTHON_ENUM(ecods::Relation, "Relation");
 ECODS_PYTHON_ENUM(ecods::Feature::Kind, "FeatureKind");
 ECODS_PYTHON_ENUM(ecods::ClosestKind, "ClosestKind");
 ECODS_PYTHON_ENUM(ecods::HitKind, "HitKind");
+ECODS_PYTHON_ENUM(ecods::MeshForm, "MeshForm");
 ECODS_PYTHON_ENUM(ecods::Side, "Side");
 ECODS_PYTHON_ENUM(ecods::BroadPhaseKind, "BroadPhaseKind");
 ECODS_PYTHON_ENUM(ecods::InstructionSet, "InstructionSet");

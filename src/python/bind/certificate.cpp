@@ -10,8 +10,8 @@
 namespace ecods::python {
 namespace {
 
-// Makes a copy of a certificate the object itself, as it never changes, and refuses to pickle it, as it refers to
-// meshes.
+// Binds copying and pickling of certificates: a copy is the object itself, which never changes, and pickling raises
+// TypeError, since a certificate refers to meshes.
 template <class T>
 void keep_whole(py::class_<T>& type) {
     copies_are_itself(type);
@@ -24,10 +24,10 @@ void add_certificates(py::module_& m) {
     py::class_<Certificate> certificate(
         m, "Certificate",
         "A claim and its proof, which verify/certificates checks. str() is the text, which is what to keep: the object "
-        "refers to its meshes, is not pickled, and a copy of it is itself.");
+        "refers to its meshes and cannot be pickled, and a copy is the object itself.");
     certificate.def_property_readonly("claim", &Certificate::claim, "The Claim that is proved.")
         .def_property_readonly("value", &Certificate::value,
-                               "The number of a distance, within, beyond or hit; otherwise 0.")
+                               "The number in a claim of distance, within, beyond or hit; otherwise 0.")
         .def_property_readonly("step_count", &Certificate::step_count, "The number of steps of the proof.")
         .def_property_readonly("axis_count", &Certificate::axis_count, "The number of directions that the steps name.")
         .def("__str__", &Certificate::to_string)
@@ -66,8 +66,10 @@ void bind_certificates(py::module_& m) {
     add_certificates(m);
     const py::keep_alive<0, 1> keeps_a;
     const py::keep_alive<0, 2> keeps_b;
-    m.def("certify", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(certify)), py::arg("a"), py::arg("b"), keeps_a, keeps_b,
-          "relation(a, b) with its proof.");
+    m.def(
+        "certify", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(certify)), py::arg("a"), py::arg("b"), keeps_a, keeps_b,
+        "relation(a, b) of two surfaces with its proof. Raises NotSupported for Solids, as all certificates: ask about "
+        "surface_of(solid).");
     m.def("certify_distance", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(certify_distance)), py::arg("a"), py::arg("b"),
           keeps_a, keeps_b, "distance(a, b) with its proof.");
     m.def("certify_within", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(certify_within)), py::arg("a"),

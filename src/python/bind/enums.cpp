@@ -11,7 +11,7 @@
 namespace ecods::python {
 namespace {
 
-// Makes the type of an enum with these names, for consecutive values from `least` on.
+// Makes the Python type of an enum whose members have these names and consecutive values from `least` on.
 void make(py::module_& m, Enumeration& made, const char* name, const char* doc, const std::vector<std::string>& names,
           int least) {
     py::dict values;
@@ -31,7 +31,7 @@ void make(py::module_& m, const char* name, const char* doc, std::initializer_li
     make(m, enumeration<Enum>(), name, doc, names, 0);
 }
 
-// Makes the type of an enum with the names that the library writes.
+// Makes the Python type of an enum, with the names that the library prints for its values.
 template <class Enum>
 void make(py::module_& m, const char* name, const char* doc, Enum least, Enum greatest) {
     std::vector<std::string> names;
@@ -60,21 +60,25 @@ std::optional<int> value_of(py::handle member_or_name, const Enumeration& enumer
 
 void bind_enums(py::module_& m) {
     make(m, "Sign", "The sign of a real number.", Sign::negative, Sign::positive);
-    make(
-        m, "Relation",
-        "The relation of two sets. Surfaces, and triangles, are apart, touching or crossing: they share no point; they "
-        "share one; or two triangles that are not coplanar share a point inside both. Solids, interiors included, are "
-        "anything but crossing. A surface and a solid are apart, touching, crossing or inside.",
-        Relation::apart, Relation::equal);
-    make<Feature::Kind>(m, "FeatureKind", "The kind of a Feature of a mesh.", {"vertex", "edge", "face"});
+    make(m, "Relation",
+         "The relation of the first of two sets to the second. Surfaces, and triangles, are apart, touching or "
+         "crossing: they "
+         "share no point; they share one; or two triangles that are not coplanar share a point inside both. Two solids "
+         "are anything but crossing. A surface and a solid are apart, touching or crossing, or the surface is inside: "
+         "then the solid contains it.",
+         Relation::apart, Relation::equal);
+    make<MeshForm>(m, "MeshForm", "The set that a Mesh, a Solid or a ConvexSolid is.", {"surface", "solid", "convex"});
+    make<Feature::Kind>(m, "FeatureKind",
+                        "The kind of a Feature of a mesh; `none` for a point inside a solid, which is on no feature.",
+                        {"vertex", "edge", "face", "none"});
     make<ClosestKind>(m, "ClosestKind",
                       "The kinds of the two features that hold the closest points, or touch first; `intersecting` if "
-                      "the bodies share a point.",
-                      {"vertex_vertex", "vertex_edge", "vertex_face", "edge_edge", "intersecting"});
+                      "the bodies share a point, and `contained` if they do and no two triangles do.",
+                      {"vertex_vertex", "vertex_edge", "vertex_face", "edge_edge", "intersecting", "contained"});
     make(m, "HitKind",
          "How a line meets a triangle: inside the face, from the side of its normal, from the other one or from none; "
-         "in an edge or a vertex; or at more than one point.",
-         HitKind::front, HitKind::along);
+         "in an edge or a vertex; or at more than one point. `inside`: no triangle, as the line begins inside a solid.",
+         HitKind::front, HitKind::inside);
     make(m, "Side", "The place of a point with respect to a solid.", Side::outside, Side::inside);
     make<BroadPhaseKind>(m, "BroadPhaseKind", "The way of finding overlapping boxes. No answer depends on it.",
                          {"brute_force", "sweep_and_prune", "kept_candidates", "automatic"});

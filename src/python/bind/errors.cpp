@@ -1,4 +1,4 @@
-// Makes Python exceptions for the library's errors, with equal names, text and members.
+// Makes Python exceptions for the library's errors, with the same names, texts and members.
 #include "python/bind/errors.hpp"
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Known {
     std::function<void(const Error&, py::object&)> add_members;
 };
 
-// Returns the known errors. They live as long as the process, since exceptions may come until its end.
+// Returns the known errors by type. The map is never destroyed, since exceptions may be raised until the process ends.
 std::map<std::type_index, Known>& known() {
     static auto* const kept = new std::map<std::type_index, Known>;
     return *kept;
@@ -54,7 +54,7 @@ std::string stale_text(const std::string& number, ListIndex index) {
     return (index ? "entry " + std::to_string(*index) + ": " : "") + "id " + number + " names no body of this world";
 }
 
-// Returns the library's text, with an id as Python has it: an integer.
+// Returns the library's text of an error, with the id of a body as Python has it: an integer.
 std::string message_of(const Error& error) {
     const auto* const stale = dynamic_cast<const StaleBody*>(&error);
     if (stale == nullptr) return error.what();
@@ -63,7 +63,7 @@ std::string message_of(const Error& error) {
     return std::string(error.what()) + " (id " + number + ")";
 }
 
-// Returns the exception, with the members of the error; `text` is its message.
+// Returns Python's exception for an error, with the members of the error and `text` as its message.
 py::object exception_of(const Error& error, const std::string& text) {
     const auto at = known().find(typeid(error));
     py::object raised = py::handle(at == known().end() ? base_type : at->second.type)(text);
@@ -75,7 +75,8 @@ void set(const py::object& raised) {
     PyErr_SetObject(py::type::handle_of(raised).ptr(), raised.ptr());
 }
 
-// Adds errors whose reason says which members count; the others have their defaults, as in C++.
+// Adds the errors about input. The reason of an error says which members have a meaning; the other members have their
+// defaults, as in C++.
 void add_input_errors(py::module_& m) {
     using Mesh = InvalidMesh;
     add<Mesh>(
@@ -98,13 +99,12 @@ void add_input_errors(py::module_& m) {
         member("points", &NotSolid::points), member("triangles", &NotSolid::triangles),
         member("beyond", &NotSolid::beyond), member("point_count", &NotSolid::point_count));
     using Bad = InvalidArgument;
-    add<Bad>(
-        m, "InvalidArgument",
-        "A number that a call was given cannot be used, or None. `argument` is an Argument; `part` says which number "
-        "of it, as 'R(0, 1)', 't(2)', 'min(1)', 'direction(2)' or 'radius'; `value` is the number; `body` and "
-        "`index`, if any, the body that it was for and its place in a list.",
-        member("argument", &Bad::argument), member("part", &Bad::part), member("value", &Bad::value),
-        member("body", &Bad::body), member("index", &Bad::index), member("kind", &Bad::kind));
+    add<Bad>(m, "InvalidArgument",
+             "An argument of a call cannot be used: a number in it is bad, or it is None. `argument` is an Argument; "
+             "`part` says which number, as 'R(0, 1)', 't(2)', 'min(1)', 'direction(2)' or 'radius'; `value` is the "
+             "number; `body` and `index`, if any, are the body that the argument was for and its place in a list.",
+             member("argument", &Bad::argument), member("part", &Bad::part), member("value", &Bad::value),
+             member("body", &Bad::body), member("index", &Bad::index), member("kind", &Bad::kind));
     add<SingularPose>(m, "SingularPose", "The matrix of a solid's pose is singular where inner points are needed.",
                       member("argument", &SingularPose::argument), member("body", &SingularPose::body));
 }
@@ -112,13 +112,16 @@ void add_input_errors(py::module_& m) {
 void add_call_errors(py::module_& m) {
     add<StaleBody>(m, "StaleBody", "An id names no body of this world.", member("body", &StaleBody::body),
                    member("index", &StaleBody::index));
-    add<SameBody>(m, "SameBody", "One body was given where a pair was asked for.", member("body", &SameBody::body));
-    add<MovedFromWorld>(m, "MovedFromWorld", "A world that was moved from was asked; not in Python.");
-    add<NotSupported>(m, "NotSupported", "A shape cannot be asked this question: a mesh that is no Solid, say.",
+    add<SameBody>(m, "SameBody", "The same body was given twice, where a pair of bodies is needed.",
+                  member("body", &SameBody::body));
+    add<MovedFromWorld>(m, "MovedFromWorld", "A world was used after it was moved from; this cannot happen in Python.");
+    add<NotSupported>(m, "NotSupported",
+                      "A shape does not support this question, for example because the mesh is no Solid.",
                       member("question", &NotSupported::question), member("a", &NotSupported::a),
                       member("b", &NotSupported::b), member("body", &NotSupported::body));
-    add<NotUpdated>(m, "NotUpdated", "A world changed since its last update, of which a certificate was asked.");
-    add<ShapeChanged>(m, "ShapeChanged", "A shape is not what it was when its body got it; not in Python.",
+    add<NotUpdated>(m, "NotUpdated",
+                    "A certificate of a world was requested, but the world has changed since its last update.");
+    add<ShapeChanged>(m, "ShapeChanged", "A shape changed after a body got it; this cannot happen in Python.",
                       member("body", &ShapeChanged::body), member("kind", &ShapeChanged::kind));
     add<ExecutorFailed>(m, "ExecutorFailed", "Threads did not run each task once.");
     add<TraceFailed>(m, "TraceFailed", "A trace could not be written in full.");

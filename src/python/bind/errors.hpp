@@ -1,4 +1,4 @@
-// Raises errors that only Python's integers can cause, which have a sign and any size.
+// Raises errors that only integers of Python can cause, since these may be negative or have more than 64 bits.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,10 +7,12 @@
 
 namespace ecods::python {
 
-// Raises StaleBody for an integer that no id can be: it is negative, or has more than 64 bits.
+// Raises StaleBody for an integer that cannot be an id, since it is negative or has more than 64 bits. `index` is the
+// integer's place in a list, if any.
 [[noreturn]] void raise_stale(const pybind11::object& number, ListIndex index = {});
 
-// Raises InvalidMesh of an index that was negative before it was taken for one of 64 bits without a sign.
+// Raises InvalidMesh with the negative index that Python passed. In `error`, the index is converted to 64 bits without
+// a sign.
 [[noreturn]] void raise_negative(const InvalidMesh& error);
 
 }  // namespace ecods::python

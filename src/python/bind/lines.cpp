@@ -17,12 +17,14 @@ T checked(T made) {
 
 template <class Line>
 void add_questions(py::module_& m) {
-    m.def("first_hit", asked_with_witness<Line, PosedMesh>(ECODS_QUESTION(first_hit)), py::arg("line"), py::arg("body"),
-          py::arg("witness") = py::none(),
-          "The Hit of least parameter of a Segment or Ray, and of least triangle among equals; None if nothing is hit. "
-          "Exact.");
+    m.def(
+        "first_hit", asked_with_witness<Line, PosedMesh>(ECODS_QUESTION(first_hit)), py::arg("line"), py::arg("body"),
+        py::arg("witness") = py::none(),
+        "The Hit of least parameter of a Segment or Ray, and of least triangle among equals; None if nothing is hit. A "
+        "line that begins inside a Solid hits it there, at 0. Exact.");
     m.def("all_hits", asked<Line, PosedMesh>(ECODS_QUESTION(all_hits)), py::arg("line"), py::arg("body"),
-          "Every triangle that is hit, as a list of Hit in the order of real parameters.");
+          "Every triangle that is hit, as a list of Hit in the order of real parameters; first of all the inside of a "
+          "Solid, if the line begins there.");
 }
 
 }  // namespace

@@ -16,7 +16,8 @@
 namespace ecods::python {
 namespace {
 
-// Calls part(begin, end) for the parts of a list. Parts are long, so that the witness of one query helps the next.
+// Divides `count` items into parts and calls part(begin, end) for each, on several threads. Parts are long, so that the
+// witness of one query helps the next one.
 template <class Part>
 void in_parts(std::size_t count, std::size_t threads, const Part& part) {
     const auto executor = make_threads(threads);
@@ -44,7 +45,8 @@ std::size_t common_length(const PoseList& a, const PoseList& b) {
     return a.size();
 }
 
-// Returns the answers of question(a, b, ask) for each pose.
+// Returns an array with the answers of question(a, b, ask), one for each place in the lists of poses; a single pose
+// stands for all places.
 template <class Answer, class Question>
 py::array_t<Answer> at_poses(const MeshShape& a, const py::object& poses_a, const MeshShape& b,
                              const py::object& poses_b, std::size_t threads, const Question& question) {
@@ -91,7 +93,7 @@ py::tuple first_hits(const py::object& origins, const py::object& directions, co
                 .origin = {o[0], o[1], o[2]}, .direction = {d[0], d[1], d[2]}, .max_parameter = max_parameter};
             const auto hit = first_hit(ray, body);
             s[i] = hit ? hit->parameter : std::numeric_limits<double>::quiet_NaN();
-            t[i] = hit ? std::int64_t{hit->triangle()} : -1;
+            t[i] = hit && hit->kind != HitKind::inside ? std::int64_t{hit->triangle()} : -1;
         }
     });
     return py::make_tuple(parameters, triangles);
@@ -116,12 +118,15 @@ py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh&
 void bind_many(py::module_& m) {
     add_at_poses<bool>(
         m, "collide_many",
-        "intersects() of a at each of its poses and b at each of its own: (k,) bool. Poses are (k, 4, 4) or "
-        "(k, 3, 4); one pose, or None, stands for all. Raises InvalidArgument with the index.",
+        "intersects() of a at each pose in poses_a and b at the pose at the same place in poses_b: (k,) bool. Poses "
+        "are (k, 4, 4) or (k, 3, 4); a single pose, or None, stands for all. Raises InvalidArgument with the index.",
         ECODS_QUESTION(intersects));
-    add_at_poses<double>(m, "distance_many", "distance() likewise: (k,) float64, each the true distance, rounded once.",
-                         ECODS_QUESTION(distance));
-    add_at_poses<std::uint8_t>(m, "relation_many", "relation() likewise: (k,) uint8, values of Relation.",
+    add_at_poses<double>(
+        m, "distance_many",
+        "distance() at the poses of collide_many(): (k,) float64, each the true distance, rounded once.",
+        ECODS_QUESTION(distance));
+    add_at_poses<std::uint8_t>(m, "relation_many",
+                               "relation() at the poses of collide_many(): (k,) uint8, values of Relation.",
                                ECODS_QUESTION(relation));
     m.def(
         "within_many",
@@ -132,11 +137,13 @@ void bind_many(py::module_& m) {
             });
         },
         py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("max_distance"),
-        py::arg("threads") = 1, "within(max_distance) likewise: (k,) bool. Raises InvalidArgument.");
+        py::arg("threads") = 1,
+        "within() of max_distance at the poses of collide_many(): (k,) bool. Raises InvalidArgument.");
     m.def("first_hits", &first_hits, py::arg("origins"), py::arg("directions"), py::arg("body"),
           py::arg("max_parameter") = std::numeric_limits<double>::infinity(), py::arg("threads") = 1,
-          "first_hit() of rays (k, 3), (k, 3): parameters (k,) float64, NaN where nothing is hit, and triangles (k,) "
-          "int64, -1 there. Raises InvalidArgument.");
+          "first_hit() of rays with origins (k, 3) and directions (k, 3): parameters (k,) float64, NaN for a ray that "
+          "hits nothing, and triangles (k,) int64, -1 for such a ray and for one that begins inside a Solid, whose "
+          "parameter is 0. Raises InvalidArgument.");
     m.def("locate_many", &locate_many, py::arg("points"), py::arg("solid"), py::arg("threads") = 1,
           "locate() of points (k, 3): (k,) uint8, values of Side. Raises InvalidArgument.");
 }

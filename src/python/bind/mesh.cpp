@@ -14,8 +14,8 @@
 namespace ecods::python {
 namespace {
 
-// Makes a mesh. Indices of 32 bits are used as they are; others become 64 bits, and a negative index one that is too
-// large.
+// Makes a mesh. Indices of 32 bits are used as they are; other indices are converted to 64 bits without a sign, which
+// makes a negative index too large.
 std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     const py::array indices = py::array::ensure(faces);
     if (!indices) throw py::error_already_set();
@@ -50,7 +50,7 @@ std::shared_ptr<Shape> make_shape(const std::shared_ptr<const Mesh>& mesh) {
     return std::make_shared<Shape>(mesh);
 }
 
-// Returns a read-only array that refers to the numbers in place and keeps the mesh alive.
+// Returns a read-only array that refers to the memory of `rows` and keeps `owner`, the mesh, alive.
 template <class Number, class Rows>
 py::array view(const py::object& owner, const Rows& rows) {
     py::array array(py::dtype::of<Number>(), {static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}}, rows.data(),
@@ -63,16 +63,17 @@ const Mesh& mesh_of(const py::object& self) {
     return self.cast<const MeshShape&>().mesh();
 }
 
-// Adds constructors from vertices and faces, or from a Mesh, and pickling by vertices and faces.
+// Adds constructors from vertices and faces and, except for Mesh itself, from a Mesh. Also adds pickling by vertices
+// and faces.
 template <class Shape, class Type>
 void add_making(Type& type) {
     type.def(py::init([](const py::object& vertices, const py::object& faces) {
                  return make_shape<Shape>(make_mesh(vertices, faces));
              }),
              py::arg("vertices"), py::arg("faces"),
-             "Of vertices (n, 3), floats or integers that doubles hold, in a unit of the caller's, and faces (m, 3), "
-             "indices of vertices. Raises InvalidMesh; TypeError and "
-             "ValueError for what is no such array.");
+             "Makes a mesh of vertices (n, 3), which are floats or integers that doubles hold exactly, in any unit, "
+             "and faces (m, 3), which are indices of vertices. Raises InvalidMesh; raises TypeError or ValueError for "
+             "other kinds of arrays.");
     type.def(py::pickle(
         [](const py::object& self) {
             return py::make_tuple(self.attr("vertices").attr("copy")(), self.attr("faces").attr("copy")());
@@ -101,9 +102,10 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
                                "A hash of coordinates and indices, the same on every machine.");
     type.def_property_readonly("uses_all_vertices",
                                [](const MeshShape& self) { return self.mesh().uses_all_vertices(); });
+    type.def_property_readonly("form", &MeshShape::form, "MeshForm: the set that this is.");
     type.def("tree_bytes", &MeshShape::tree_bytes, "The bytes of the tree, which is built if there is none yet.");
     type.def("box", &MeshShape::box, py::arg("pose") = py::none(),
-             "A box (2, 3) that contains the posed mesh: quick, and close to the least one. box_of() is closer.");
+             "A box (2, 3) that contains the posed mesh: fast, and close to the least such box. box_of() is closer.");
     type.def(
         "at", [](std::shared_ptr<MeshShape> self, const Pose& pose) { return PosedMesh(std::move(self), pose); },
         py::arg("pose"), "The mesh at a pose (4, 4) or (3, 4): the real points R v + t. Raises InvalidArgument.");
@@ -124,17 +126,22 @@ void add_mesh_calls(py::class_<MeshShape, std::shared_ptr<MeshShape>>& type) {
             return to_python(ecods::refit(self, std::move(moved)));
         },
         py::arg("vertices"),
-        "The same triangles with other vertices (n, 3), as a new Mesh, whose tree is that of this one with new boxes. "
+        "The same triangles with other vertices (n, 3), as a new Mesh, a surface, whose tree is that of this one with "
+        "new "
+        "boxes. "
         "Raises InvalidMesh.");
     type.def("__repr__", &text_of);
-    copies_are_itself(type);  // so that a copy has the tree already
+    copies_are_itself(type);  // so that a copy shares the tree
 }
 
 void add_solids(py::module_& m) {
     py::class_<Solid, MeshShape, std::shared_ptr<Solid>> solid(
         m, "Solid",
-        "A mesh that bounds a solid: closed and free of self-intersection, which is checked exactly. Every call that "
-        "takes a Mesh takes it. Raises NotSolid, which names the place.");
+        "A mesh that bounds a solid: closed and free of self-intersection, which is checked exactly. It is all points "
+        "on and "
+        "inside that surface, in every call that takes a Mesh; surface_of() is the surface alone. Raises NotSolid, "
+        "which "
+        "names the place.");
     add_making<Solid>(solid);
 
     py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(m, "ConvexSolid",
@@ -212,7 +219,7 @@ void add_motions(py::class_<MovingMesh>& type) {
 }  // namespace
 
 void bind_meshes(py::module_& m) {
-    // Declared first, as signatures of Mesh name them.
+    // Declares these types first, since signatures of Mesh name them.
     py::class_<PosedMesh> posed(m, "Posed",
                                 "A mesh at a pose: the set of the real points R v + t. Mesh.at() makes one, too.");
     py::class_<MovingMesh> moving(

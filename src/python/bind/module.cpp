@@ -1,4 +1,4 @@
-// The module ecods._ecods. The package ecods exports everything in it.
+// Makes the module ecods._ecods. The package ecods exports everything in it.
 #include "python/bind/bind.hpp"
 
 namespace py = pybind11;
@@ -20,7 +20,7 @@ PYBIND11_MODULE(_ecods, m) {
     bind_trace(m);
     bind_world(m);
     bind_process(m);
-    // Makes types appear under the name of the package when they are looked up, printed and pickled.
+    // Gives types the name of the package, under which they are looked up, printed and pickled.
     for (const auto& item : m.attr("__dict__").cast<py::dict>()) {
         if (py::isinstance<py::type>(item.second)) item.second.attr("__module__") = "ecods";
     }

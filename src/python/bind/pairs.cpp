@@ -14,15 +14,20 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 void add_intersections(py::module_& m, const py::arg& a, const py::arg& b, const py::arg_v& witness) {
     m.def("intersects", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(intersects)), a, b, witness,
-          "True if two bodies share a point. Exact. A body is a Mesh, or Mesh.at(pose).");
+          "True if two bodies share a point. Exact. A body is a Mesh, a Solid or a ConvexSolid, or one of them "
+          "at(pose); a "
+          "Mesh is its surface, a Solid all points on and inside it.");
     m.def("relation", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(relation)), a, b,
-          "Relation: apart, touching or crossing, the strongest of any two of their triangles. Exact.");
+          "Relation of a to b; of two surfaces the strongest of any two of their triangles. Exact.");
     m.def(
         "intersecting_triangles",
         [](const PosedMesh& x, const PosedMesh& y) {
             return from_triangles(ask([&] { return intersecting_triangles(x, y); }));
         },
-        a, b, "Every pair of triangles that share a point, ascending: (k, 2) uint32, indices of faces of a and of b.");
+        a, b,
+        "Every pair of triangles that share a point, ascending: (k, 2) uint32, indices of faces of a and of b. None "
+        "may, "
+        "where a part of a body is inside a solid.");
     m.def("intersections", asked<PosedMesh, PosedMesh>(ECODS_QUESTION(intersections)), a, b,
           "Every pair of triangles that share a point, as a list of TriangleIntersection: the shared points, and the "
           "normal if it is defined.");
@@ -47,8 +52,10 @@ void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py:
         a, b, py::arg("relative") = 0.0, py::arg("absolute") = 0.0, py::arg("max_distance") = infinity, witness,
         "An interval with the distance in it: upper - lower <= max(absolute, relative * lower), or both are adjacent "
         "doubles. Once lower is above max_distance, upper may be infinity. Raises InvalidArgument.");
-    m.def("close_triangles", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_triangles)), a, b, max_distance,
-          "Every pair of triangles within max_distance, as a list of ClosestPoints. Raises InvalidArgument.");
+    m.def(
+        "close_triangles", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_triangles)), a, b, max_distance,
+        "Every pair of triangles within max_distance, as a list of ClosestPoints; what is inside a solid is not asked. "
+        "Raises InvalidArgument.");
     m.def("close_features", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_features)), a, b, max_distance,
           "The pairs of features within max_distance that hold closest points of triangles: a list of CloseFeatures.");
 }
@@ -60,8 +67,8 @@ void add_casts(py::module_& m, const py::arg& a, const py::arg& b, const py::arg
           "FirstContact of a, translated by time times motion (3,), with b, which stays; None if there is none up to "
           "max_time. Contact at time 0 and grazing count. Exact. Raises InvalidArgument.");
     m.def("cast", asked_with_witness<MovingMesh, MovingMesh, double>(ECODS_QUESTION(cast)), a, b, max_time, witness,
-          "FirstContact of two meshes that each go from one pose to another (Mesh.moving): each point moves straight "
-          "from its first place to its last, so that a mesh that turns is not rigid on its way.");
+          "FirstContact of two bodies that each go from one pose to another (Mesh.moving): each point moves straight "
+          "from its first place to its last, so that a body that turns is not rigid on its way.");
 }
 
 }  // namespace

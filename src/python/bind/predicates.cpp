@@ -11,8 +11,8 @@
 namespace ecods::python {
 namespace {
 
-// An argument of points, triangles or poses. All axes before the last ones, `tail`, follow numpy's rules of
-// broadcasting.
+// Holds an argument of points, triangles or poses, of which the last axes have the lengths `tail`. All axes before
+// these follow numpy's rules of broadcasting.
 class Rows {
   public:
     Rows(const py::object& value, const char* what, std::vector<py::ssize_t> tail) : tail_(std::move(tail)) {
@@ -32,7 +32,7 @@ class Rows {
         return shape;
     }
 
-    // Broadcasts the rows to the shape `leading` of their leading axes.
+    // Broadcasts the rows so that their leading axes have the shape `leading`.
     void spread(const py::tuple& leading) {
         step_ = size_of_one();
         if (array_.size() == static_cast<py::ssize_t>(step_)) {
@@ -53,7 +53,7 @@ class Rows {
         for (const py::ssize_t n : tail_) size *= static_cast<std::size_t>(n);
         return size;
     }
-    // Throws with the text that locate() has for a point.
+    // Throws InvalidArgument for a coordinate that is not finite, with the text that locate() has for a point.
     [[noreturn]] void refuse(const double& x) const {
         const auto at = static_cast<std::size_t>(&x - array_.data());
         const std::string axis = std::to_string(at % static_cast<std::size_t>(tail_.back()));
@@ -68,7 +68,8 @@ class Rows {
     std::size_t step_ = 0;
 };
 
-// Returns answer(i) for all rows, as an array of the common leading shape; a single answer if there is no leading axis.
+// Returns answer(i) for all rows i, as an array whose shape is the common shape of the leading axes, or as a single
+// answer if there are no leading axes.
 template <class Answer, class Function>
 py::object over(std::vector<Rows>& rows, const Function& answer) {
     py::list shapes;
@@ -94,8 +95,8 @@ std::array<Vec3, 3> corners(const double* x) {
     return {vec3(x), vec3(x + 3), vec3(x + 6)};
 }
 
-// Appends the rows of the poses after the rows of the points. `poses` is a sequence of one item for each point: an
-// array (..., 4, 4), or None.
+// Appends the poses to `rows`, after the points. `poses` is a sequence with an item for each point: an array (..., 4,
+// 4), or None.
 void add_poses(std::vector<Rows>& rows, const py::object& poses) {
     const auto sequence = py::cast<py::sequence>(poses);
     const std::size_t count = rows.size();

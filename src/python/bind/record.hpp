@@ -1,5 +1,5 @@
-// Makes Python types for answers of several fields: read-only, compared field by field, with a repr of all fields,
-// pickled.
+// Makes Python types for answers that have several fields. The types are read-only, are compared field by field, have a
+// repr of all fields, and can be pickled.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +41,7 @@ struct Field {
 template <class T, class Value>
 Field(const char*, Value T::*, const char*) -> Field<T, Value>;
 
-// Returns all digits of a value: numpy's own repr of an array omits some.
+// Returns a value as text, with all digits: numpy's own repr of an array omits some.
 inline std::string text_of_value(const py::object& value) {
     return py::repr(py::isinstance<py::array>(value) ? value.attr("tolist")() : value);
 }

@@ -1,4 +1,4 @@
-// Makes one line of an error for arguments that fit no signature.
+// Shortens the error for arguments that fit no signature to one line.
 #include <string>
 
 #include "python/bind/bind.hpp"
@@ -8,10 +8,10 @@ namespace {
 
 namespace py = pybind11;
 
-// The function that pybind11 calls for each of its functions: it selects the overload and converts arguments.
+// Points to pybind11's function behind all functions that it binds: it selects the overload and converts arguments.
 PyCFunctionWithKeywords dispatcher = nullptr;
 
-// Replaces the error that is set by one line if it is about arguments that no overload takes.
+// If Python's current error is about arguments that no overload takes, replaces its text by one line.
 void shorten(PyObject* args, PyObject* kwargs) {
     py::error_already_set refused;
     try {
@@ -41,7 +41,8 @@ PyMethodDef& definition_of(PyObject* function) {
     return *reinterpret_cast<PyCFunctionObject*>(function)->m_ml;
 }
 
-// Wraps one function. Functions that are not pybind11's stay as they are: classes have some of Python's own.
+// Replaces pybind11's function behind one bound function by call(). Leaves other functions as they are, since classes
+// also have functions of Python's own.
 void shorten_one(py::handle value) {
     PyObject* function = value.ptr();
     const py::object of_static = py::getattr(value, "__func__", py::none());
@@ -57,7 +58,7 @@ void shorten_one(py::handle value) {
 
 void shorten_refusals(const py::module_& m) {
     const py::cpp_function any([] {});
-    // a pybind11 with another calling convention
+    // Does nothing for a pybind11 with another calling convention.
     if (definition_of(any.ptr()).ml_flags != (METH_VARARGS | METH_KEYWORDS)) return;
     dispatcher = as_called(definition_of(any.ptr()).ml_meth);
     for (const auto& item : m.attr("__dict__").cast<py::dict>()) {

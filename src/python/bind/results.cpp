@@ -19,7 +19,9 @@ void add_features(py::module_& m) {
     add_record(
         m, "Feature",
         "A vertex, an edge or a face of a mesh, named by a triangle and the least of its corners that names it: the "
-        "vertex; the corner from which the edge goes to the next one; 0 for a face.",
+        "vertex; the corner from which the edge goes to the next one; 0 for a face. Of kind `none` it names nothing, "
+        "and "
+        "its triangle is no index.",
         Field{"kind", &Feature::kind, "FeatureKind"},
         Field{"triangle", &Feature::triangle, "Index of a face of the mesh."},
         Field{"corner", &Feature::corner, "0 to 2"});
@@ -28,7 +30,10 @@ void add_features(py::module_& m) {
         m, "ClosestPoints",
         "The closest points of two bodies, and the features that hold them. Among several pairs of features it "
         "is the first one, by kind and then by names. If the kind is `intersecting`, the distance is 0, and both "
-        "points are the least common corner of the least two triangles that share a point.",
+        "points are the least common corner of the least two triangles that share a point. If it is `contained`, no "
+        "two "
+        "triangles do: both points are corner 0 of a triangle that is inside the other body, whose feature is of kind "
+        "`none`.",
         Field{"distance", &ClosestPoints::distance, "The true distance, rounded once."},
         Field{"kind", &ClosestPoints::kind, "ClosestKind"},
         Field{"a", &ClosestPoints::a, "The feature that holds point_a."},
@@ -94,14 +99,14 @@ void add_hits(py::module_& m) {
                    Field{"feature", &Hit::feature, "The feature of the triangle that holds the common points."},
                    Field{"point", &Hit::point, "First common point: (3,) float64, each rounded once."},
                    Field{"leave_point", &Hit::leave_point, "Last common point: (3,) float64."});
-    hit.def_property_readonly("triangle", &Hit::triangle, "Index of the face.");
+    hit.def_property_readonly("triangle", &Hit::triangle, "Index of the face; no index if the kind is `inside`.");
 
-    auto contact = add_record(m, "FirstContact",
-                              "The time at which two bodies first share a point, and the first two features that do.",
-                              Field{"time", &FirstContact::time, "From 0 to 1: the true time, rounded once."},
-                              Field{"kind", &FirstContact::kind, "ClosestKind; `intersecting` at time 0."},
-                              Field{"a", &FirstContact::a, "Feature of the first body."},
-                              Field{"b", &FirstContact::b, "Feature of the second body."});
+    auto contact = add_record(
+        m, "FirstContact", "The time at which two bodies first share a point, and the first two features that do.",
+        Field{"time", &FirstContact::time, "From 0 to 1: the true time, rounded once."},
+        Field{"kind", &FirstContact::kind, "ClosestKind; `intersecting` or `contained` at time 0."},
+        Field{"a", &FirstContact::a, "Feature of the first body."},
+        Field{"b", &FirstContact::b, "Feature of the second body."});
     add_triangles(contact);
 }
 
@@ -134,9 +139,9 @@ void add_world_answers(py::module_& m) {
     add_record(m, "Meeting", "Two bodies that meet while bodies move.",
                Field{"bodies", &Meeting::bodies, "Their ids, the lesser first."},
                Field{"contact", &Meeting::contact, "The time and the features."});
-    add_record(m, "SolidPair", "Two solids that are not apart.",
-               Field{"bodies", &SolidPair::bodies, "Their ids, the lesser first."},
-               Field{"relation", &SolidPair::relation, "The relation of the first to the second."});
+    add_record(m, "PairRelation", "Two bodies that collide, and how.",
+               Field{"bodies", &PairRelation::bodies, "Their ids, the lesser first."},
+               Field{"relation", &PairRelation::relation, "The Relation of the first to the second."});
     add_record(m, "BodyDepth", "Two convex solids that share a point, and their depth.",
                Field{"bodies", &BodyDepth::bodies, "Their ids, the lesser first."},
                Field{"depth", &BodyDepth::depth, "The Depth, by which the second body would move."});

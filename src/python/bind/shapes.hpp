@@ -1,4 +1,4 @@
-// Meshes and solids as Python holds them: shared, so that whatever refers to a mesh keeps it alive.
+// Defines how Python holds meshes and solids: by shared pointers, so that whatever refers to a mesh keeps it alive.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,17 @@
 
 namespace ecods::python {
 
-// Posed and Moving in Python. All of them are made of shared pointers, and keep their shapes.
+// Name the C++ types of Posed and Moving in Python. Python makes these from shared pointers only, so they keep their
+// shapes alive.
 using PosedMesh = Posed<MeshShape>;
 using MovingMesh = Moving<MeshShape>;
 
-// Returns a shape as pybind11 holds it. Python cannot change it, either.
+// Returns a shape as pybind11 holds it, without const. No function that is bound changes it.
 inline std::shared_ptr<MeshShape> to_python(const std::shared_ptr<const ecods::Shape>& shape) {
     return std::const_pointer_cast<MeshShape>(std::static_pointer_cast<const MeshShape>(shape));
 }
 
-// Returns the posed mesh as a Solid or a ConvexSolid. Throws TypeError if it is neither.
+// Returns the posed mesh with its shape as a Solid or a ConvexSolid, `Shape`. Throws TypeError if the shape is not one.
 template <class Shape>
 Posed<Shape> as(const PosedMesh& posed, const char* argument) {
     auto solid = std::dynamic_pointer_cast<const Shape>(posed.kept);
@@ -32,7 +33,7 @@ Posed<Shape> as(const PosedMesh& posed, const char* argument) {
     return {std::move(solid), posed.pose};
 }
 
-// Makes copies of an object the object itself, for classes whose objects never change.
+// Binds copying for classes whose objects never change: a copy of an object is the object itself.
 template <class Type>
 void copies_are_itself(Type& type) {
     type.def("__copy__", [](py::object self) { return self; });

@@ -31,6 +31,10 @@ auto asked_of_convex_solids(Question question) {
 
 void add_checks(py::module_& m) {
     m.def(
+        "surface_of", [](const Solid& solid) { return to_python(surface_of(solid)); }, py::arg("solid"),
+        "The surface of a Solid alone, with all triangles of its mesh, as a Mesh that shares the tree: the same object "
+        "each time.");
+    m.def(
         "check_solid", [](const MeshShape& mesh) { check_solid(mesh.mesh()); }, py::arg("mesh"),
         py::call_guard<py::gil_scoped_release>(),
         "Raises NotSolid, which names the place, unless the mesh bounds a solid.");
@@ -56,22 +60,8 @@ void bind_solid_questions(py::module_& m) {
         },
         py::arg("point"), py::arg("solid"),
         "Location of a point (3,): outside, on or inside. Exact. Raises InvalidArgument.");
-    m.def("solid_relation", asked_of_solids(ECODS_QUESTION(solid_relation)), a, b,
-          "Relation of two Solids: apart, touching, overlapping, inside, contains or equal. Exact.");
-    m.def(
-        "surface_relation",
-        [](Body surface, Body solid) {
-            const auto posed = as<Solid>(solid, "solid");
-            return ask([&] { return surface_relation(surface, posed); });
-        },
-        py::arg("surface"), py::arg("solid"),
-        "Relation of a mesh to a Solid: apart, touching, crossing or inside. Exact.");
     m.def("depth_bounds", asked_of_solids(ECODS_QUESTION(depth_bounds)), a, b,
           "DepthBounds of two Solids, convex or not; None if they share no point. Raises SingularPose.");
-    m.def("solid_distance", asked_of_convex_solids(ECODS_QUESTION(solid_distance)), a, b, witness,
-          "The distance of two ConvexSolids, interiors included: rounded once. Raises SingularPose.");
-    m.def("solid_closest", asked_of_convex_solids(ECODS_QUESTION(solid_closest)), a, b, witness,
-          "ClosestPoints of two ConvexSolids; None if they share a point. Raises SingularPose.");
     m.def("depth", asked_of_convex_solids(ECODS_QUESTION(depth)), a, b, witness,
           "Depth of two ConvexSolids in each other; None if they share no point. Raises SingularPose.");
 }

@@ -1,4 +1,4 @@
-// Threads for Python's worlds and for questions about many poses. They never use the interpreter.
+// Provides threads for Python's worlds and for questions about many poses. The threads never use the interpreter.
 #pragma once
 
 #include <condition_variable>
@@ -11,8 +11,8 @@
 
 namespace ecods::python {
 
-// An executor of the calling thread and count - 1 others, which wait for work. In a forked process, where the others do
-// not exist, the calling thread does all the work.
+// Runs tasks on the calling thread and on count - 1 other threads, which wait for work in between. In a forked process,
+// which does not have the other threads, the calling thread runs all tasks.
 class Threads final : public Executor {
   public:
     explicit Threads(std::size_t count);
@@ -31,8 +31,8 @@ class Threads final : public Executor {
     std::mutex mutex_;
     std::condition_variable begins_;
     std::condition_variable ends_;
-    std::uint64_t round_ = 0;  // number of calls of run()
-    std::size_t busy_ = 0;     // threads that have not finished this round
+    std::uint64_t round_ = 0;  // number of calls of run() that used the other threads
+    std::size_t busy_ = 0;     // number of other threads that have not finished this round
     bool is_over_ = false;
 
     std::mutex next_mutex_;
@@ -41,7 +41,7 @@ class Threads final : public Executor {
     const std::function<void(std::size_t, std::size_t)>* task_ = nullptr;
 };
 
-// Returns an executor, or null for one thread. Throws ValueError if `count` is 0.
+// Returns an executor with `count` threads, or null if `count` is 1. Throws ValueError if `count` is 0.
 std::shared_ptr<Executor> make_threads(std::size_t count);
 
 }  // namespace ecods::python

@@ -12,7 +12,7 @@
 namespace ecods::python {
 namespace {
 
-// A trace, as text.
+// Holds a trace as text.
 struct Trace {
     std::string text;
 };

@@ -1,4 +1,4 @@
-// Binds World: its bodies, and what is known of each.
+// Binds World: its bodies and their properties.
 #include "python/bind/world.hpp"
 
 #include "python/bind/bind.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Shape = std::shared_ptr<MeshShape>;
 
-// Returns the pose for a body that is moved. An error names the body, as one of World::set_pose does.
+// Returns the pose to which a body is to move. An error names the body, like the errors of World::set_pose.
 Pose pose_for(BodyId body, const py::object& pose) {
     try {
         return to_pose(pose);
@@ -39,7 +39,8 @@ void add_bodies(WorldClass& type, const py::arg& body) {
             const Pose place = pose_for(id, pose);
             self.change([&](World& world) { world.set_pose(id, place); });
         },
-        body, py::arg("pose"), "Moves a body; for the lists at update(). Raises InvalidArgument.");
+        body, py::arg("pose"),
+        "Moves a body: at once for questions, and at update() for the lists. Raises InvalidArgument.");
     type.def(
         "set_poses",
         [](SharedWorld& self, const py::object& bodies, const py::object& poses) {
@@ -94,7 +95,8 @@ void add_filters(WorldClass& type, const py::arg& body) {
         [](SharedWorld& self, BodyId id, std::uint64_t groups, std::uint64_t mask) {
             self.change([&](World& world) { world.set_filter(id, {.groups = groups, .mask = mask}); });
         },
-        body, py::arg("groups"), py::arg("mask"), "Sets the groups that a body is in, and meets, as bits.");
+        body, py::arg("groups"), py::arg("mask"),
+        "Sets the groups that a body is in, `groups`, and the groups that it meets, `mask`, as bits.");
     type.def("filter", reading(&World::filter), body, "The CollisionFilter set last.");
     type.def("set_pair_enabled", changing(&World::set_pair_enabled), py::arg("a"), py::arg("b"), py::arg("is_enabled"),
              "Switches one pair off, or on again. Raises SameBody.");
@@ -106,23 +108,22 @@ void add_filters(WorldClass& type, const py::arg& body) {
 
 void bind_world(py::module_& m) {
     add_record(m, "CollisionFilter", "The groups that a body is in, and the groups that it meets, as bits.",
-               Field{"groups", &CollisionFilter::groups, "The groups that it is in."},
-               Field{"mask", &CollisionFilter::mask, "The groups that it meets."})
+               Field{"groups", &CollisionFilter::groups, "The groups that the body is in."},
+               Field{"mask", &CollisionFilter::mask, "The groups that the body meets."})
         .def(py::init([](std::uint64_t groups, std::uint64_t mask) {
                  return CollisionFilter{.groups = groups, .mask = mask};
              }),
              py::arg("groups") = CollisionFilter{}.groups, py::arg("mask") = CollisionFilter{}.mask);
-    WorldClass type(
-        m, "World",
-        "Many moving bodies: which of them touch, which come close, and which is the nearest? Changes take effect "
-        "at once for questions, and at update() for the lists. Any thread may call; calls that only ask run "
-        "beside each other. A copy, or a pickle, has the present bodies under the same ids, with their filters, "
-        "data and switched pairs, the clearance and the options; ids that were stale are stale in it, too. It is as "
-        "before its first update, and no trace goes on in it. Copies share the meshes. The cost is that of creating "
-        "the bodies.");
+    WorldClass type(m, "World",
+                    "Many moving bodies: which of them touch, which come close, and which is the nearest? Changes take "
+                    "effect at once for questions, and at update() for the lists. Any thread may call; calls that only "
+                    "ask run beside each other. A copy, or a pickle, has the present bodies under the same ids, with "
+                    "their filters, data and switched pairs, the clearance and the options; ids that were stale are "
+                    "stale in the copy, too. The copy is like a world before its first update, and is not traced. "
+                    "Copies share the meshes. The cost is that of creating the bodies.");
     type.def(py::init<BroadPhaseKind, std::size_t>(), py::arg("broad_phase") = "automatic", py::arg("threads") = 1,
-             "`threads`: the number that run the two-body tests of update(), depths() and solid_distances(). No answer "
-             "depends on either.");
+             "`threads` is the number of threads that run the two-body tests of update(), depths() and "
+             "solid_distances(). No answer depends on `broad_phase` or on `threads`.");
     const py::arg body("body");
     add_bodies(type, body);
     add_facts(type, body);

@@ -1,4 +1,4 @@
-// A world as Python holds it: calls from several threads wait for each other if they must.
+// Defines a world as Python holds it: calls from several threads wait for each other if they must.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -22,7 +22,7 @@ namespace ecods::python {
 // operation on the world uses the interpreter, so there is no deadlock.
 class SharedWorld {
   public:
-    // Makes a world; `ids` is that of WorldOptions.
+    // Makes a world. `ids` becomes WorldOptions::ids.
     SharedWorld(BroadPhaseKind broad_phase, std::size_t threads, std::vector<BodyId> ids = {})
         : broad_phase_(broad_phase),
           threads_(threads),
@@ -47,20 +47,21 @@ class SharedWorld {
         return what(world_);
     }
 
-    // Begins a trace on a stream, which this object owns until the trace ends. The end returns the stream, or null if
-    // there was no trace.
+    // begin_trace() begins a trace on a stream, which this object owns until the trace ends. end_trace() ends the trace
+    // and returns the stream, or null if there was no trace.
     void begin_trace(std::unique_ptr<std::ostream> out, bool questions);
     std::unique_ptr<std::ostream> end_trace();
 
   private:
     mutable std::shared_mutex mutex_;
-    std::unique_ptr<std::ostream> trace_;  // declared before the world, which writes to it until its end
+    std::unique_ptr<std::ostream> trace_;  // declared before the world, which may write to it in its destructor
     const BroadPhaseKind broad_phase_;
     const std::size_t threads_;
     World world_;
 };
 
-// Return functions for pybind11 that make a call of World: one that changes it, or one that only reads.
+// Return functions for pybind11 to bind that make a call of World: changing() for a call that changes the world,
+// reading() for a call that only reads.
 template <class Result, class... Given>
 auto changing(Result (World::*call)(Given...)) {
     return [call](SharedWorld& self, Given... given) {
@@ -74,7 +75,7 @@ auto reading(Result (World::*call)(Given...) const) {
     };
 }
 
-// A body or a posed mesh, about which questions may be asked.
+// Holds what a question is about: a body of the world, or a posed mesh.
 using Subject = std::variant<BodyId, PosedMesh>;
 
 inline Asked to_asked(const Subject& subject, const std::optional<CollisionFilter>& filter = {}) {
@@ -82,8 +83,8 @@ inline Asked to_asked(const Subject& subject, const std::optional<CollisionFilte
     return filter ? Asked(std::move(asked), *filter) : asked;
 }
 
-// Returns a function for pybind11 that asks question(world, given...), and one that asks question(world, a, b,
-// given...) about two subjects.
+// Return functions for pybind11 to bind: asked_of_world() a function that asks question(world, given...), and
+// asked_of_pair() a function that asks question(world, a, b, given...) about two subjects.
 template <class... Given, class Question>
 auto asked_of_world(Question question) {
     return [question](const SharedWorld& self, const Given&... given) {
@@ -98,7 +99,7 @@ auto asked_of_pair(Question question) {
         });
 }
 
-// A callable that selects the overload of the member function `name` of World by its arguments.
+// Makes a callable that calls the member function `name` of World; the arguments select the overload.
 #define ECODS_CALL(name) [](const World& world, const auto&... given) { return world.name(given...); }
 
 using WorldClass = pybind11::class_<SharedWorld>;

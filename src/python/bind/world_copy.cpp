@@ -1,5 +1,5 @@
-// Binds the copying and pickling of World. The state of a world is data from which calls make it again, under the same
-// ids.
+// Binds the copying and pickling of World. The state of a world is data from which calls make the world again, with the
+// same ids.
 #include <array>
 #include <map>
 
@@ -9,12 +9,12 @@
 namespace ecods::python {
 namespace {
 
-constexpr int state_version = 1;
+constexpr int state_version = 2;
 
 using SharedMesh = std::shared_ptr<MeshShape>;
 using Numbers = py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>;
 
-// The present state of a world, in the order of its bodies.
+// Holds the present state of a world; lists by body are in the order of `bodies`.
 struct Scene {
     std::vector<BodyId> bodies;
     std::vector<BodyId> next_ids;
@@ -24,7 +24,7 @@ struct Scene {
     std::vector<std::uint64_t> groups, masks, data;
     std::vector<BodyPair> disabled;
     std::optional<double> clearance;
-    bool are_solids_related = false;
+    bool are_relations_listed = false;
 };
 
 Scene scene_of(const World& world) {
@@ -44,7 +44,7 @@ Scene scene_of(const World& world) {
     }
     scene.disabled = world.disabled_pairs();
     scene.clearance = world.clearance();
-    scene.are_solids_related = world.are_solids_related();
+    scene.are_relations_listed = world.are_relations_listed();
     return scene;
 }
 
@@ -67,7 +67,7 @@ py::tuple state_of(const SharedWorld& self) {
     return py::make_tuple(state_version, self.broad_phase(), self.threads(), from_bodies(scene.bodies),
                           from_bodies(scene.next_ids), scene.meshes, from_numbers(scene.mesh_of),
                           from_poses(scene.poses), from_numbers(scene.groups), from_numbers(scene.masks),
-                          from_numbers(scene.data), scene.disabled, scene.clearance, scene.are_solids_related);
+                          from_numbers(scene.data), scene.disabled, scene.clearance, scene.are_relations_listed);
 }
 
 [[noreturn]] void refuse_state() {
@@ -87,7 +87,7 @@ Scene scene_from(const py::tuple& state) {
     scene.data = to_numbers(state[10]);
     scene.disabled = state[11].cast<std::vector<BodyPair>>();
     scene.clearance = state[12].cast<std::optional<double>>();
-    scene.are_solids_related = state[13].cast<bool>();
+    scene.are_relations_listed = state[13].cast<bool>();
     for (const std::size_t count :
          {scene.mesh_of.size(), scene.poses.size(), scene.groups.size(), scene.masks.size(), scene.data.size()}) {
         if (count != scene.bodies.size()) refuse_state();
@@ -109,7 +109,7 @@ void make(const Scene& scene, World& world) {
     }
     for (const BodyPair& pair : scene.disabled) world.set_pair_enabled(pair.a, pair.b, false);
     world.set_clearance(scene.clearance);
-    world.set_solids(scene.are_solids_related);
+    world.set_relations(scene.are_relations_listed);
 }
 
 std::unique_ptr<SharedWorld> made_of(const py::tuple& state) {

@@ -12,7 +12,7 @@ void add_finding(WorldClass& type, const py::arg& what, const py::arg_v& filter)
         [](const SharedWorld& self, const Aabb& box) {
             return from_bodies(reading(&World::overlapping_bodies)(self, box));
         },
-        py::arg("box"), "Bodies whose boxes share a point with this one (2, 3): (k,) uint64. Raises InvalidArgument.");
+        py::arg("box"), "Bodies whose boxes share a point with this box (2, 3): (k,) uint64. Raises InvalidArgument.");
     type.def(
         "intersecting_bodies",
         [](const SharedWorld& self, const Subject& subject, const Filter& only) {
@@ -20,8 +20,9 @@ void add_finding(WorldClass& type, const py::arg& what, const py::arg_v& filter)
                 self.read([&](const World& world) { return world.intersecting_bodies(to_asked(subject, only)); }));
         },
         what, filter,
-        "Bodies that share a point with a body, a Mesh or a Posed: (k,) uint64, ascending. Exact. With a filter, those "
-        "that it may meet; a body passes over those with which it is filtered out. So do nearest() and cast().");
+        "Bodies that share a point with a body, a Mesh or a Posed: (k,) uint64, ascending. Exact. With a filter, only "
+        "the bodies that it may meet. If the question is about a body, bodies with which it is filtered out do not "
+        "count. Both hold for nearest() and cast(), too.");
     type.def("bodies_containing", asked_of_world<Vec3>(ECODS_CALL(bodies_containing)), py::arg("point"),
              "BodiesContaining: the solids with the point (3,) in them or on them. Raises InvalidArgument.");
 }
@@ -34,10 +35,11 @@ void add_nearest(WorldClass& type, const py::arg& what, const py::arg_v& filter)
             return self.read([&](const World& world) { return world.nearest(to_asked(subject, only), most); });
         },
         what, max_distance, filter,
-        "NearestBody to a body, a Mesh or a Posed, among those within max_distance, or None. Of equal distances the "
-        "least id. Raises InvalidArgument.");
-    type.def("closest_pair", asked_of_world<double>(ECODS_CALL(closest_pair)), max_distance,
-             "ClosestPair of all that are not filtered out, within max_distance, or None. Raises InvalidArgument.");
+        "NearestBody to a body, a Mesh or a Posed, among the bodies within max_distance, or None. If distances are "
+        "equal, the body of the least id. Raises InvalidArgument.");
+    type.def(
+        "closest_pair", asked_of_world<double>(ECODS_CALL(closest_pair)), max_distance,
+        "ClosestPair of all pairs that are not filtered out, within max_distance, or None. Raises InvalidArgument.");
     type.def("depths", asked_of_world<>(ECODS_CALL(depths)),
              "Pairs of ConvexSolids that share a point: a list of BodyDepth. Raises SingularPose.");
     type.def("solid_distances", asked_of_world<double>(ECODS_CALL(solid_distances)), py::arg("max_distance"),
@@ -83,8 +85,10 @@ void add_questions_about_everything(WorldClass& type) {
     add_hits<Segment>(type, filter);
     add_hits<Ray>(type, filter);
     add_casts(type, what, filter);
-    type.def("certify", asked_of_world<>(ECODS_CALL(certify)),
-             "WorldCertificate of colliding_pairs() and close_pairs(). Raises NotUpdated.");
+    type.def(
+        "certify", asked_of_world<>(ECODS_CALL(certify)),
+        "WorldCertificate of colliding_pairs() and close_pairs(). Raises NotUpdated, and NotSupported where a body "
+        "is a Solid.");
 }
 
 }  // namespace ecods::python

@@ -4,7 +4,8 @@
 namespace ecods::python {
 namespace {
 
-// Adds a list of pairs: (k, 2) ids. It returns a copy, as the world's own list changes with the world.
+// Binds a method that returns a list of pairs as an array of ids (k, 2). The array is a copy, since the world's own
+// list changes with the world.
 template <class List>
 void add_list(WorldClass& type, const char* name, List list, const char* doc) {
     type.def(
@@ -48,22 +49,21 @@ py::dict dict_of(const Statistics& s) {
 }
 
 void add_settings(WorldClass& type) {
-    type.def(
-        "set_clearance", changing(&World::set_clearance), py::arg("clearance"),
-        "From the next update on, close_pairs() are those at a distance of at most this, decided for the real number; "
-        "None ends it. Raises InvalidArgument.");
-    type.def("clearance", reading(&World::clearance), "Set last, or None.");
-    type.def("set_solids", changing(&World::set_solids), py::arg("are_related"),
-             "If True, updates make solid_pairs(), from the next one on.");
-    type.def("are_solids_related", reading(&World::are_solids_related),
-             "True if updates make solid_pairs(); False at first.");
+    type.def("set_clearance", changing(&World::set_clearance), py::arg("clearance"),
+             "Sets the clearance: from the next update on, close_pairs() has the pairs at a distance of at most the "
+             "clearance, decided for the real number. None switches this off. Raises InvalidArgument.");
+    type.def("clearance", reading(&World::clearance), "The clearance that was set last, or None.");
+    type.def("set_relations", changing(&World::set_relations), py::arg("are_listed"),
+             "If True, updates compute relations(), from the next update on.");
+    type.def("are_relations_listed", reading(&World::are_relations_listed),
+             "True if updates compute relations(); False at first.");
 }
 
 }  // namespace
 
 void add_lists(WorldClass& type) {
     add_settings(type);
-    type.def("update", changing(&World::update), "Brings the lists up to date. Cost: follows the changes.");
+    type.def("update", changing(&World::update), "Brings the lists up to date. The cost depends on how much changed.");
     add_list(type, "overlapping_pairs", &World::overlapping_pairs,
              "Pairs whose boxes overlap and that are not filtered out: (k, 2) uint64.");
     add_list(type, "colliding_pairs", &World::colliding_pairs,
@@ -71,17 +71,18 @@ void add_lists(WorldClass& type) {
     add_list(type, "began", &World::began, "Pairs that began to collide with the last update: (k, 2) uint64.");
     add_list(type, "ended", &World::ended, "Pairs that ceased to collide with the last update: (k, 2) uint64.");
     add_list(type, "close_pairs", &World::close_pairs, "Pairs within the clearance, colliding ones included. Exact.");
-    add_list(type, "close_began", &World::close_began, "Pairs that came to be within the clearance.");
-    add_list(type, "close_ended", &World::close_ended, "Pairs that are within the clearance no more.");
+    add_list(type, "close_began", &World::close_began, "Pairs that came within the clearance with the last update.");
+    add_list(type, "close_ended", &World::close_ended,
+             "Pairs that ceased to be within the clearance with the last update.");
     type.def(
-        "solid_pairs",
+        "relations",
         [](SharedWorld& self) {
             return self.read([](const World& world) {
-                return std::vector<SolidPair>(world.solid_pairs().begin(), world.solid_pairs().end());
+                return std::vector<PairRelation>(world.relations().begin(), world.relations().end());
             });
         },
-        "Pairs of solids that are not apart: a list of SolidPair; empty unless set_solids(True) came before the "
-        "update.");
+        "colliding_pairs(), each with its Relation: a list of PairRelation; empty unless set_relations(True) came "
+        "before the update. Exact.");
     type.def(
         "statistics", [](SharedWorld& self) { return dict_of(reading(&World::statistics)(self)); },
         "Counts of the world's work.");

@@ -1,8 +1,8 @@
 """Exact answers about many moving triangle meshes: which touch, how far, what is hit first, when, how deep.
 
-Arrays go in and out: points (n, 3), poses (4, 4) or (3, 4), many of them (k, 4, 4), boxes (2, 3), bodies as ints. Lengths
-are in the unit of the caller's coordinates. Nothing is rounded on the way to an answer, and a number is the true one,
-rounded once.
+Arguments and results are arrays: points (n, 3), poses (4, 4) or (3, 4), many poses (k, 4, 4), boxes (2, 3); bodies are
+ints. Lengths are in the unit of the caller's coordinates. Nothing is rounded on the way to an answer, and a number in
+an answer is the true number, rounded once.
 """
 from . import _ecods
 from ._ecods import *  # noqa: F401,F403

@@ -1,4 +1,4 @@
-"""Collisions and distances of named meshes, with the calls of trimesh's collision manager; answers are about surfaces."""
+"""Collisions and signed distances of named bodies, with the calls of trimesh's collision manager."""
 import math
 
 import numpy as np
@@ -9,12 +9,25 @@ from .refusals import describe
 EXTERNAL = "__external"
 
 
+def _as_convex(vertices, faces):
+    """Returns the ConvexSolid of a mesh that is convex up to rounding: its hull if it has a dent. None if it bounds none."""
+    try:
+        return _ecods.ConvexSolid(vertices, faces)
+    except _ecods.NotSolid as error:
+        return _ecods.ConvexSolid.hull(vertices) if error.reason == _ecods.NotSolidReason.dent else None
+
+
 def as_mesh(mesh):
-    """Returns the Mesh of a Mesh, an object with `vertices` and `faces`, or a tuple of the two. Raises TypeError."""
+    """Returns the body of a Mesh, an object with `vertices` and `faces`, or a tuple of the two. Raises TypeError.
+
+    It is a ConvexSolid if the object says that it `is_convex`, and bounds a solid; what was no Mesh before is a surface
+    otherwise.
+    """
     if isinstance(mesh, _ecods.Mesh):
         return mesh
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-        return _ecods.Mesh(mesh.vertices, mesh.faces)
+        convex = _as_convex(mesh.vertices, mesh.faces) if getattr(mesh, "is_convex", False) else None
+        return convex or _ecods.Mesh(mesh.vertices, mesh.faces)
     if not isinstance(mesh, (tuple, list)) or len(mesh) != 2:
         raise TypeError(f"mesh: {describe(mesh)} is no mesh; an ecods.Mesh, an object with `vertices` and `faces`, or the "
                         "two in a tuple is expected")
@@ -23,48 +36,67 @@ def as_mesh(mesh):
 
 def _text_of(data, **numbers):
     """Returns the text of a result: names with their faces, then numbers."""
-    parts = [f"{name!r}: face {face}" for name, face in data._indices.items()]
+    parts = [f"{name!r}: " + ("no face" if face is None else f"face {face}") for name, face in data._indices.items()]
     return f"{type(data).__name__}({', '.join(parts + [f'{name}={value}' for name, value in numbers.items()])})"
 
 
-class ContactData:
-    """Two triangles that share a point.
+def _faces(names, a, b):
+    """Returns the face that each feature is of, by name; None for a point inside a solid, which is on no feature."""
+    return {name: None if feature.kind == _ecods.FeatureKind.none else feature.triangle
+            for name, feature in zip(names, (a, b))}
 
-    point: (3,) float, the least corner of the shared points. normal: (3,) float, the unit normal that a face or two
-    edges define there, or the direction of the depth; NaN if there is none. depth: the exact depth of two ConvexSolids in
-    each other; otherwise NaN, as two surfaces have no depth.
+
+def _depth(a, b):
+    """Returns the Depth of two posed ConvexSolids that share a point; None of others, and where one is flat."""
+    if a.mesh.form != _ecods.MeshForm.convex or b.mesh.form != _ecods.MeshForm.convex:
+        return None
+    try:
+        return _ecods.depth(a, b)
+    except _ecods.SingularPose:
+        return None
+
+
+class ContactData:
+    """Two bodies that share a point: of two ConvexSolids one contact, of others each pair of triangles that share one.
+
+    point: (3,) float, a point that both share: the lexicographically least corner of what the two triangles share, of
+    ConvexSolids the least two; where no triangles do, a corner of what is inside. It is not the deepest one. normal:
+    (3,) float, the direction of the depth; of two triangles the unit normal that a face or two edges define there; NaN if
+    there is none. depth: the exact depth of two ConvexSolids in each other; otherwise NaN.
     """
 
-    def __init__(self, names, contact, depth):
+    def __init__(self, names, faces, point, normal, depth):
         self.names = set(names)
-        self._indices = dict(zip(names, contact.triangles))
-        self.point = contact.corners[0]
-        normal = contact.normal if depth is None else depth.direction
+        self._indices = faces
+        self.point = point
         self.normal = np.full(3, np.nan) if normal is None else normal
-        self.depth = math.nan if depth is None else depth.depth
+        self.depth = depth
 
     def __repr__(self):
         return _text_of(self, point=self.point.tolist(), normal=self.normal.tolist(), depth=self.depth)
 
     def index(self, name):
-        """The index of the face of the mesh with that name."""
+        """The index of the face of the mesh with that name; None if the point is inside it, and on no face."""
         return self._indices[name]
 
 
 class DistanceData:
-    """The closest points of two meshes, and the distance."""
+    """The closest points of two bodies, and their signed distance: negative is how deep two ConvexSolids are.
 
-    def __init__(self, names, closest):
+    Where they share a point, both points are the same: one that they share, and not the deepest.
+    """
+
+    def __init__(self, names, closest, distance):
         self.names = set(names)
-        self.distance = closest.distance
-        self._indices = dict(zip(names, closest.triangles))
+        self.distance = distance
+        self._indices = _faces(names, closest.a, closest.b)
         self._points = dict(zip(names, (closest.point_a, closest.point_b)))
 
     def __repr__(self):
         return _text_of(self, distance=self.distance, points=[point.tolist() for point in self._points.values()])
 
     def index(self, name):
-        """The index of the closest face of the mesh with that name."""
+        """The index of the closest face of the mesh with that name; None if the point is inside it, and on no face."""
         return self._indices[name]
 
     def point(self, name):
@@ -73,28 +105,41 @@ class DistanceData:
 
 
 def _contacts(names, a, b):
-    depth = None
-    if isinstance(a.mesh, _ecods.ConvexSolid) and isinstance(b.mesh, _ecods.ConvexSolid):
-        depth = _ecods.depth(a, b)
-    return [ContactData(names, contact, depth) for contact in _ecods.intersections(a, b)]
+    """Returns the list of ContactData of two posed bodies that share a point."""
+    depth = _depth(a, b)
+    if depth is not None:
+        point = _ecods.closest(a, b).point_a
+        return [ContactData(names, _faces(names, depth.a, depth.b), point, depth.direction, depth.depth)]
+    shared = _ecods.intersections(a, b)
+    if not shared:
+        inner = _ecods.closest(a, b)
+        return [ContactData(names, _faces(names, inner.a, inner.b), inner.point_a, None, math.nan)]
+    return [ContactData(names, dict(zip(names, each.triangles)), each.corners[0], each.normal, math.nan)
+            for each in shared]
+
+
+def _signed(a, b):
+    """Returns the signed distance of two posed bodies that share a point."""
+    depth = _depth(a, b)
+    return 0.0 if depth is None else 0.0 - depth.depth
 
 
 def _answer(first, *rest):
-    """Returns the first value alone, or a tuple with the values in `rest`, pairs (is_wanted, value), that are wanted."""
+    """Returns `first`, or a tuple of `first` and the wanted values in `rest`, which has pairs (is_wanted, value)."""
     wanted = [what for is_wanted, what in rest if is_wanted]
     return (first, *wanted) if wanted else first
 
 
 class CollisionManager:
-    """Named meshes: which collide, and how far are they apart?
+    """Named bodies: which collide, and how far are they apart, or how deep in each other?
 
-    The methods have the names and arguments of trimesh.collision.CollisionManager. Answers are exact, and about
-    surfaces: touching counts, and a distance is the true one, rounded once; 0 if surfaces share a point, never
-    negative, infinity if there is nothing to measure to. A mesh inside another one does not collide with it, even if
-    trimesh would take a convex mesh for a solid; solid_relation() and World.set_solids() say what is inside. Contacts
-    are all pairs of triangles that meet; their depth is NaN but for two ConvexSolids. Pass an ecods.Mesh in place of
-    another object if you ask about it again: its tree is then made once. Names are any hashable values. Copies and
-    pickles work as those of a World.
+    The methods have the names and arguments of trimesh.collision.CollisionManager. A mesh that says that it `is_convex`,
+    as a watertight convex mesh of trimesh does, is a ConvexSolid; if rounding has left a dent, its convex hull is. Other
+    meshes are surfaces; an ecods.Solid is a solid, too. What is inside a solid collides with it, and touching counts.
+    Answers are exact, and a distance is the true one, rounded once: infinity if there is nothing to measure to; 0 if two
+    bodies share a point, but minus their depth if both are ConvexSolids. Of several distances the least is given. Pass an
+    ecods.Mesh or ecods.ConvexSolid in place of another object if you ask about it again: it is then made once. Names are
+    any hashable values. Copies and pickles work as those of a World.
     """
 
     def __init__(self, threads=1):
@@ -123,7 +168,7 @@ class CollisionManager:
         return [(name, self._world.posed(body)) for name, body in self._bodies.items()]
 
     def add_object(self, name, mesh, transform=None):
-        """Adds a mesh at a transform (4, 4); replaces one of the same name."""
+        """Adds a mesh at a transform (4, 4); replaces an object of the same name. Raises TypeError, InvalidMesh."""
         body = self._world.create_body(as_mesh(mesh), transform)
         if name in self._bodies:
             self.remove_object(name)
@@ -141,7 +186,7 @@ class CollisionManager:
         self._world.set_pose(self._body(name), transform)
 
     def in_collision_single(self, mesh, transform=None, return_names=False, return_data=False):
-        """Returns True if a mesh collides with any object; on demand also their names, and a list of ContactData."""
+        """Returns True if a mesh collides with any object; on demand also the objects' names and a list of ContactData."""
         external = as_mesh(mesh).at(transform)
         bodies = self._world.intersecting_bodies(external)
         names = {self._names[body] for body in bodies}
@@ -164,7 +209,7 @@ class CollisionManager:
         return _answer(len(pairs) > 0, (return_names, names), (return_data, data))
 
     def in_collision_other(self, other_manager, return_names=False, return_data=False):
-        """Returns True if an object collides with one of another manager; pairs of names begin with this manager's."""
+        """Returns True if an object collides with an object of another manager; pairs of names begin with this manager's."""
         names, data = set(), []
         for other_name, other in other_manager._posed():
             for body in self._world.intersecting_bodies(other):
@@ -173,40 +218,63 @@ class CollisionManager:
                     data += _contacts((self._names[body], other_name), self._world.posed(body), other)
         return _answer(len(names) > 0, (return_names, names), (return_data, data))
 
+    def _nearest(self, what, limit=math.inf):
+        """Returns the least signed distance within the limit of a posed body from an object, and its body; or None.
+
+        Of equal ones the least body.
+        """
+        nearest = self._world.nearest(what, max_distance=max(limit, 0.0))
+        if nearest is None or nearest.distance > 0:
+            return None if nearest is None else (nearest.distance, nearest.body)
+        return min((_signed(self._world.posed(body), what), body) for body in self._world.intersecting_bodies(what).tolist())
+
+    def _nearest_to(self, body):
+        """Returns the least signed distance of an object from the others, and the bodies; or None."""
+        nearest = self._world.nearest(body)
+        if nearest is None or nearest.distance > 0:
+            return None if nearest is None else (nearest.distance, (body, nearest.body))
+        return min((_signed(self._world.posed(body), self._world.posed(other)), (body, other))
+                   for other in self._world.intersecting_bodies(body).tolist())
+
+    def _closest_pair(self):
+        """Returns the least signed distance of two objects, and the bodies; or None."""
+        closest = self._world.closest_pair()
+        if closest is None or closest.distance > 0:
+            return None if closest is None else (closest.distance, closest.bodies)
+        self._world.update()
+        return min((_signed(self._world.posed(a), self._world.posed(b)), (a, b))
+                   for a, b in self._world.colliding_pairs().tolist())
+
     def min_distance_single(self, mesh, transform=None, return_name=False, return_data=False):
-        """Returns the least distance of a mesh from any object; on demand also its name, and the DistanceData."""
+        """Returns the least distance of a mesh from any object; on demand also the object's name, and the DistanceData."""
         external = as_mesh(mesh).at(transform)
-        nearest = self._world.nearest(external)
+        nearest = self._nearest(external)
         if nearest is None:
             return _answer(math.inf, (return_name, None), (return_data, None))
-        name = self._names[nearest.body]
+        distance, body = nearest
+        name = self._names[body]
         data = None
         if return_data:
-            data = DistanceData((name, EXTERNAL), _ecods.closest(self._world.posed(nearest.body), external))
-        return _answer(nearest.distance, (return_name, name), (return_data, data))
+            data = DistanceData((name, EXTERNAL), _ecods.closest(self._world.posed(body), external), distance)
+        return _answer(distance, (return_name, name), (return_data, data))
 
     def min_distance_internal(self, name=None, return_names=False, return_data=False):
         """Returns the least distance of two objects, or of the named one from the others; on demand also names and data."""
-        if name is None:
-            closest = self._world.closest_pair()
-            bodies = None if closest is None else closest.bodies
-        else:
-            closest = self._world.nearest(self._body(name))
-            bodies = None if closest is None else (self._body(name), closest.body)
-        if bodies is None:
+        found = self._closest_pair() if name is None else self._nearest_to(self._body(name))
+        if found is None:
             return _answer(math.inf, (return_names, None), (return_data, None))
+        distance, bodies = found
         pair = tuple(self._names[body] for body in bodies)
-        data = DistanceData(pair, self._world.closest(*bodies)) if return_data else None
-        return _answer(closest.distance, (return_names, self._names_in_order(bodies)), (return_data, data))
+        data = DistanceData(pair, self._world.closest(*bodies), distance) if return_data else None
+        return _answer(distance, (return_names, self._names_in_order(bodies)), (return_data, data))
 
     def min_distance_other(self, other_manager, return_names=False, return_data=False):
         """Returns the least distance from the objects of another manager; names begin with this manager's."""
-        best, pair, other_posed = math.inf, None, None
+        best, pair, posed = math.inf, None, None
         for other_name, other in other_manager._posed():
-            nearest = self._world.nearest(other, max_distance=best)
-            if nearest is not None and (pair is None or nearest.distance < best):
-                best, pair, other_posed = nearest.distance, (self._names[nearest.body], other_name), other
-        data = None
-        if return_data and pair is not None:
-            data = DistanceData(pair, _ecods.closest(self._world.posed(self._bodies[pair[0]]), other_posed))
+            nearest = self._nearest(other, best)
+            if nearest is not None and (pair is None or nearest[0] < best):
+                best, pair = nearest[0], (self._names[nearest[1]], other_name)
+                posed = (self._world.posed(nearest[1]), other)
+        data = DistanceData(pair, _ecods.closest(*posed), best) if return_data and pair is not None else None
         return _answer(best, (return_names, pair), (return_data, data))

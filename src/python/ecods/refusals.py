@@ -1,4 +1,4 @@
-"""Makes one line for arguments that fit no signature: which argument, what it was, and what is accepted there."""
+"""Makes a one-line error for arguments that fit no signature: it names the argument, its value and what is accepted."""
 import enum
 import operator
 import re
@@ -120,7 +120,7 @@ def parameters_of(signature):
 
 
 def problem(parameters, args, kwargs):
-    """Returns (position, text, (kind, value) or None) for the first argument that does not fit; None if all seem to."""
+    """Returns (position, text, (kind, value) or None) for the first argument that does not fit; None if all seem to fit."""
     by_position = [each for each in parameters if each.by_position]
     names = ", ".join(each.name for each in parameters) or "none"
     for i, parameter in enumerate(parameters):

@@ -3,14 +3,15 @@
 #include "geometry/same_bits.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/cast/moving_question.hpp"
-#include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/intersection/surface_intersection.hpp"
 #include "query/shape/other_units.hpp"
 
 namespace ecods {
 namespace {
 
-// True if the body does not move. Compares bits: if subnormals count as zero, different numbers may compare equal.
+// True if the body does not move. Compares bits, because a processor that flushes subnormal numbers compares two
+// different ones as equal.
 bool is_at_rest(const Moving<MeshShape>& body) {
     return same_bits(body.from, body.to);
 }
@@ -33,7 +34,7 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
     }
     PairWitness at_start = witness;
     const Posed<MeshShape> start_a(*a.what, a.from), start_b(*b.what, b.from);
-    if (!(*first > 0) && as_part(memory, [&] { return intersects(start_a, start_b, {memory, at_start}); })) {
+    if (!(*first > 0) && as_part(memory, [&] { return surface::intersects(start_a, start_b, {memory, at_start}); })) {
         witness = at_start;
         return contact_at_start(start_a, start_b, memory);
     }
@@ -46,13 +47,6 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
     if (!contact || (may_be_late && !question.is_by_then())) return std::nullopt;
     witness = {contact->a.triangle, contact->b.triangle};
     return contact;
-}
-
-std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double max_time,
-                                 const Ask& ask) {
-    const double latest = require_time(max_time);
-    Asking asking(ask);
-    return cast_until(a, b, latest, asking.memory(), asking.witness());
 }
 
 }  // namespace ecods

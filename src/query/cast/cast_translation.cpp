@@ -7,20 +7,21 @@
 #include "query/cast/cast_until.hpp"
 #include "query/cast/contact_interval.hpp"
 #include "query/cast/triangle_contacts.hpp"
-#include "query/intersection/asking.hpp"
+#include "query/intersection/surface_intersection.hpp"
 #include "query/search/search.hpp"
 #include "query/shape/other_units.hpp"
 
 namespace ecods {
 namespace {
 
-// Makes the times of first contact under a translation the numbers that a search compares (query/search).
+// Translation is the PairQuestion (query/search) whose numbers are the times of first contact while body a is
+// translated.
 class Translation {
   public:
     using Interval = ContactInterval;
     using Value = FirstContact;
 
-    // Returns false if there is certainly no contact until `latest`.
+    // Returns false if there is certainly no contact from time 0 to `latest`.
     bool bind(const MeshPair& bodies, const Vec3& motion, double latest, CastCounts& counts) {
         const MeshBody &a = bodies.a, &b = bodies.b;
         counts_ = &counts;
@@ -41,7 +42,7 @@ class Translation {
         ++counts_->enclosures;
         return contacts_.enclose(triangles.a, triangles.b);
     }
-    // Decides the pair exactly at once if it is not known to have a contact.
+    // Decides the pair exactly if the interval does not prove that it has a contact. Returns false if it has none.
     bool complete(const TrianglePair& triangles, ContactInterval& interval, std::optional<FirstContact>& contact) {
         if (key_of(interval.upper) <= key_of(1.0)) return true;
         contact = round(triangles, interval);
@@ -63,9 +64,9 @@ class Translation {
     CastCounts* counts_ = nullptr;
 };
 
-// The first open contact if its real time is at most `latest`. A time that rounds below `latest` is below it. One that
-// rounds to `latest` may be above it, and of pairs that tie in the rounded time one may be above and another not, so
-// they are compared exactly. If `latest` is 1, all contacts are in time.
+// Returns the first open contact if its real time is at most `latest`. A real time that rounds to less than `latest` is
+// less than `latest`. One that rounds to `latest` may exceed it: of several pairs that tie in rounded time, some may
+// exceed it and others not, so these are compared exactly. If `latest` is 1, every contact is in time.
 std::optional<FirstContact> first_by(double latest, Translation& translation, SieveOf<Translation>& sieve) {
     const auto contact =
         first_contact(sieve, [&](const auto& open) { return translation.round(open.triangles, open.interval); });
@@ -79,10 +80,10 @@ bool is_zero(const Vec3& v) {
     return key_of(v[0]) == 0 && key_of(v[1]) == 0 && key_of(v[2]) == 0;
 }
 
-// Bodies that do not move meet at time 0 or never.
+// Handles the case that neither body moves: they meet at time 0 or never.
 std::optional<FirstContact> cast_at_rest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
                                          PairWitness& witness) {
-    if (!intersects(a, b, {memory, witness})) return std::nullopt;
+    if (!surface::intersects(a, b, {memory, witness})) return std::nullopt;
     const FirstContact result = contact_at_start(a, b, memory);
     witness = {result.a.triangle, result.b.triangle};
     return result;
@@ -91,7 +92,7 @@ std::optional<FirstContact> cast_at_rest(const Posed<MeshShape>& a, const Posed<
 }  // namespace
 
 FirstContact contact_at_start(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory) {
-    const TrianglePair first = as_part(memory, [&] { return intersecting_triangles(a, b, memory); }).front();
+    const TrianglePair first = as_part(memory, [&] { return surface::intersecting_triangles(a, b, memory); }).front();
     return {0, ClosestKind::intersecting, {Feature::Kind::face, first.a, 0}, {Feature::Kind::face, first.b, 0}};
 }
 
@@ -115,13 +116,6 @@ std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& mo
                                                  : first_by(latest, working.question, working.sieve);
     if (contact) witness = {contact->a.triangle, contact->b.triangle};
     return contact;
-}
-
-std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                                 double max_time, const Ask& ask) {
-    const double latest = require_time(max_time);
-    Asking asking(ask);
-    return cast_until(a, motion, b, latest, asking.memory(), asking.witness());
 }
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Declares casts with a time limit, for a world in which a body may meet other bodies earlier.
+// Declares casts of the surfaces of two bodies: all triangles of their meshes, whatever forms their shapes have.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,17 @@
 
 namespace ecods {
 
-// The first contact if its real time is at most `latest`, which is from 0 to 1; otherwise nullopt. The result is that
-// of cast(), so its rounded time is at most `latest`, too. Cost: a few tenths of a microsecond if the bodies are far
-// apart all the way; the cost of `intersects` if both are at rest. Throws InvalidArgument.
+// Return the first contact if its real time is at most `latest`, which must be from 0 to 1; otherwise nullopt. The
+// contact is the one that cast() returns, so its rounded time is at most `latest`, too. Cost: a few tenths of a
+// microsecond if the bodies stay far apart all the time; the cost of `intersects` if both are at rest. Throw
+// InvalidArgument.
 std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
                                        double latest, QueryMemory& memory, PairWitness& witness);
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness);
 
-// The contact, at time 0, of bodies that share a point before they move, which is required. Counts as part of another
-// query.
+// Returns the contact at time 0 of bodies that share a point before they move. Call only if they do. The work is
+// counted as a part of the query that calls it.
 FirstContact contact_at_start(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Bounds the first time at which two moving triangles share a point, and names the features that meet then.
+// ContactInterval bounds the time of first contact of two moving triangles, and names the features that touch then.
 #pragma once
 
 #include <limits>
@@ -11,20 +11,20 @@
 namespace ecods {
 
 struct ContactInterval {
-    // Lower bound of the time of first contact; infinity if there is no contact; 0 if nothing is known.
+    // lower bound of the time of first contact; infinity if there is no contact; 0 if nothing is known
     double lower = 0;
-    // Upper bound of the time of first contact; infinity if a contact is not certain.
+    // upper bound of the time of first contact; infinity if a contact is not certain
     double upper = std::numeric_limits<double>::infinity();
 
-    // True if the first contact is certainly at one point, inside these two features and no others. Pairs of triangles
-    // with the same two features have the same first contact.
+    // True if the triangles certainly touch first at a single point, and it is inside features a and b and no others.
+    // All pairs of triangles with these two features then have the same first contact.
     bool is_certain = false;
-    FirstContact contact;  // named by these triangles; `time` is not set
+    FirstContact contact;  // names features by these triangles; its time is not set
     FeatureKey a, b;
 };
 
-// The first of a sieve's open contacts by rounded time, then by rank; round(open) gives the contact of a pair, if it
-// has one.
+// Returns the first of a sieve's open contacts: the one with the least rounded time, then with the least rank.
+// round(open) must return the contact of a pair, or nullopt if it has none.
 template <class Sieve, class Round>
 std::optional<FirstContact> first_contact(Sieve& sieve, Round&& round) {
     return sieve.least([&](const auto& open, const auto&) { return round(open); },

@@ -18,12 +18,14 @@ FeatureKey key_on(const exact::FeaturePair& pair, std::size_t side, const Mesh& 
     return feature_key(exact::feature_of(pair, side, triangle), mesh.triangles()[triangle]);
 }
 
-// The ends of the first two time intervals, powers of two; the first is the least normal number.
+// The ends of the first two time intervals that bound_at_beginning() searches. Both are powers of two; the first is the
+// least normal number.
 constexpr std::array<double, 2> beginnings{0x1p-1022, 0x1p-537};
 
-// The motion up to time s, as a motion of its own. Its end is P (1 - s) + Q s, computed as moving_points.hpp says: off
-// by the errors of the given points, at most e0 + s e1, by 3.01 u' (|P| + s |Q|) of rounding, and by 2^-1022 for each
-// product that underflows.
+// Returns the part of the motion up to time s, as a motion from time 0 to 1. Its end is P (1 - s) + Q s, computed as in
+// moving_points.hpp. This end is off by the errors of the given points, at most e0 + s e1, by 3.01 u' (|P| + s |Q|) of
+// rounding, and by 2^-1022 for each product that underflows.
+// Claim: verify/proofs/moving_points.py
 exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
     exact::MovingPoints result = points;
     double most_at_start = 0, most_at_end = 0;
@@ -83,10 +85,10 @@ std::optional<exact::TimeSpan> MovingPairs::bound(const TrianglePair& triangles,
     return time && time->from < beginnings.back() ? bound_at_beginning(points, from, to, effort) : time;
 }
 
-// Bounds the first meeting from early intervals on. If bodies become 2^500 times as large or more on their way, their
-// starts underflow beside their ends; up to times as short as these intervals they do not. Dividing by the intervals'
-// ends is exact, or flushes a subnormal number to zero, which is earlier. Products that underflow become earlier, too,
-// or change by less than the next number.
+// Bounds the first meeting, searching two short intervals from time 0 on before the rest. If bodies grow by a factor of
+// 2^500 or more, their sizes at the start underflow beside their sizes at the end; within these intervals they do not.
+// A time divided by an interval's end is exact, or is a subnormal number that is flushed to zero, which is earlier. A
+// product that underflows becomes earlier, too, or changes by less than the distance to the next double.
 std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::MovingPoints& points, double from,
                                                                double to, exact::Effort effort) {
     for (const double end : beginnings) {
@@ -113,9 +115,9 @@ auto MovingPairs::ask_exactly(const TrianglePair& triangles, Function&& ask) {
     });
 }
 
-// Tries exactly some short times after the bound, in which few features can meet, then all times. If the points are far
-// from their mesh's origin, the bound may end before the meeting because of the points' errors: so the tried times
-// grow.
+// Decides exactly in some short time spans from the bound on, in which few features can meet; if these do not suffice,
+// for all times. If the points are far from their mesh's origin, the bound may end before the meeting because of the
+// points' errors. So each span tried is longer than the one before.
 std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles, exact::TimeSpan time, double to) {
     constexpr std::array<double, 3> lengths{0x1p-44, 0x1p-36, 0x1p-28};  // relative to time.to
     const exact::MovingPoints points = points_of(triangles);
@@ -152,8 +154,8 @@ std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles,
     return ask_exactly(triangles, [](exact::MovingTriangles& moving) { return exact::first_meeting(moving); });
 }
 
-// The meeting of two features that is known to be in `time`. The known time is rounded, so both of its neighbors must
-// be in `time`.
+// Returns the known meeting of features a and b if it certainly is within `time`; otherwise null. The known time is
+// rounded, so both of its neighbors must be within `time`.
 const MovingPairs::KnownMeeting* MovingPairs::find_known(const FeatureKey& a, const FeatureKey& b,
                                                          const exact::TimeSpan& time) const {
     for (const KnownMeeting& known : known_) {

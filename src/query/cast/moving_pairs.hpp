@@ -1,5 +1,5 @@
-// Decides when pairs of triangles of two meshes moving between poses first share a point: by bounds, and exactly. Exact
-// decisions are kept for pairs with the same features.
+// MovingPairs finds when pairs of triangles of two moving meshes first share a point, by bounds and exactly. It caches
+// exact results, for other pairs of triangles that meet in the same features.
 #pragma once
 
 #include <array>
@@ -17,24 +17,24 @@ namespace ecods {
 
 class MovingPairs {
   public:
-    // Everything that the arguments refer to must outlive this.
+    // Everything that the arguments refer to must outlive this object.
     void bind(const Moving<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts);
 
-    // An interval of [from, to] that contains the first common point, if there is one; nullopt if there is none up to
-    // `to`.
+    // Returns an interval within [from, to] that contains the first time at which the triangles share a point, if they
+    // do so by `to`. Returns nullopt if they certainly do not.
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
 
-    // The triangles' first meeting if it is at most `to`; a later one may be left out. They must share no point before
-    // `time`.
+    // Returns the first meeting of the triangles if its time is at most `to`; for a later one, may return nullopt. Call
+    // only if the triangles share no point before `time`.
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 
   private:
-    // The first meeting of two features through which alone two triangles can meet. Other triangles that can meet only
-    // through the same features meet at the same time.
+    // Stores when features a and b first share a point. It is stored only if the triangles that have them cannot meet,
+    // in the time span searched, in any other features. So all triangles with this property first meet at this time.
     struct KnownMeeting {
         FeatureKey a, b;
-        double time;
-        bool is_late;
+        double time;   // rounded once
+        bool is_late;  // true if the exact time is above `time`
     };
 
     std::optional<exact::TimeSpan> bound_at_beginning(const exact::MovingPoints& points, double from, double to,
@@ -48,7 +48,7 @@ class MovingPairs {
     const Moving<MeshShape>* a_ = nullptr;
     const Moving<MeshShape>* b_ = nullptr;
     CastCounts* counts_ = nullptr;
-    exact::Frame frame_;  // of a and b at the start, then of both at the end
+    exact::Frame frame_;  // bodies 0 and 1: a and b at the start; 2 and 3: a and b at the end
     std::vector<KnownMeeting> known_;
 };
 

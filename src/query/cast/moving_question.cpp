@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A node whose only box is the root's.
+// Returns a node with a single child box, the root's.
 BvhNode root_of(const MeshBvh& tree) {
     BvhNode node{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -50,8 +50,8 @@ float MovingQuestion::limit_above(double time) const noexcept {
     return round_up(time);
 }
 
-// True if the triangles may share a point from `from` to `latest`; then sets span_ to an interval that contains the
-// first one. It asks up to the next double, because a time that rounds to `latest` may be above it.
+// Returns true if the triangles may share a point from `from` to `latest`; then sets span_ to an interval that contains
+// the first such time. Searches up to the double above `latest`, because a time above `latest` may round to it.
 bool MovingQuestion::narrow(const TrianglePair& triangles, double from, double latest, exact::Effort effort) {
     to_ = std::min(next_up(latest), 1.0);
     if (key_of(from) > key_of(to_)) return false;
@@ -97,7 +97,8 @@ void MovingQuestion::advance(Search& search, float time) {
     }
 }
 
-// Decides the pair now if no waiting pair, nor any node from time `next` on, may be earlier; otherwise requeues it.
+// Refines the bound of the candidate. Then gives it to the search, which decides it exactly, unless a waiting candidate
+// or a node (these begin at time `next`) may be earlier. In that case puts it back into the queue.
 void MovingQuestion::refine(Search& search, const Candidate& candidate, float next) {
     using Known = Candidate::Known;
     const double latest = search.sieve().bound();

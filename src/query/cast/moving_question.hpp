@@ -1,8 +1,8 @@
-// Makes the times of first contact of two bodies that move straight between poses the numbers that a search compares
-// (query/search).
+// MovingQuestion is the PairQuestion (query/search) whose numbers are the times of first contact, for two bodies whose
+// points move straight between two poses.
 //
-// Bounds of pairs of triangles are refined step by step, earliest pairs first. Only a pair that no waiting pair may
-// precede is decided exactly.
+// Bounds of pairs of triangles are refined step by step, earliest pairs first. A pair is decided exactly only when no
+// waiting pair may be earlier.
 #pragma once
 
 #include <cstdint>
@@ -23,16 +23,17 @@ class MovingQuestion {
     using Value = FirstContact;
     using Search = ecods::Search<MovingQuestion>;
 
-    // Everything that the arguments refer to must outlive this.
+    // Everything that the arguments refer to must outlive this object.
     void bind_boxes(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
-    // Lower bound of the time at which the boxes of the bodies meet; nullopt if they never do.
+    // Returns a lower bound of the time at which the boxes of the bodies meet; nullopt if they never do.
     std::optional<float> first_of_boxes();
     // Prepares the search for contacts up to `at_most`. The bodies must not share a point at the start.
     void bind_pairs(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double at_most, CastCounts& counts);
-    // True if the real time of some contact found is at most `at_most`; its rounded time alone does not suffice.
+    // True if the real time of a contact found is at most `at_most`. (The rounded time may be, though the real time is
+    // not.)
     bool is_by_then() const noexcept { return is_by_then_; }
 
-    // The functions that a search calls.
+    // The search calls the following functions.
     float limit_above(double time) const noexcept;
     template <class X, class Y>
     std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
@@ -45,16 +46,17 @@ class MovingQuestion {
     void advance(Search& search, float time);
 
   private:
-    // A waiting pair of triangles, with the bound that is known of it: of its boxes, coarse, or fine.
+    // Holds a pair of triangles that waits in the queue. `known` says which bound `time` is: the bound of the boxes, a
+    // coarse one, or a fine one.
     struct Candidate {
         enum class Known : std::uint8_t { boxes, coarse, fine };
 
-        std::int64_t time;  // key of a lower bound of the first common time
+        std::int64_t time;  // key of a lower bound of the time of first contact
         std::uint32_t order;
         Known known;
         TrianglePair triangles;
 
-        // Orders by time; ties by latest insertion, so that the search is depth-first.
+        // Orders by time; at equal times the pair inserted last comes first, which makes the search depth-first.
         friend bool operator<(const Candidate& x, const Candidate& y) noexcept {
             return ((x.time < y.time) | ((x.time == y.time) & (x.order > y.order))) != 0;
         }
@@ -69,7 +71,7 @@ class MovingQuestion {
     MovingPairs pairs_;
     Waiting<Candidate> waiting_;
     std::uint32_t order_ = 0;
-    exact::TimeSpan span_{};  // interval of the pair under examination, up to to_
+    exact::TimeSpan span_{};  // result of narrow(), searched up to to_
     double to_ = 1;
     double at_most_ = 1;
     bool is_by_then_ = false;

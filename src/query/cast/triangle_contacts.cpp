@@ -19,7 +19,7 @@ void TriangleContacts::bind(const BodyRef& a, const Vec3& motion, const BodyRef&
     for (int k = 0; k < 3; ++k) digits.include(decode(motion[k]));
     points_.bind_pair(a, b, digits);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
-    // The motion must fit where a difference of points fits.
+    // The motion is stored like a difference of points, so it must fit into as many bits.
     is_exact_ = points_.is_exact() && digits.low >= points_.unit() &&
                 digits.high - points_.unit() < IntegerFrame::difference_bits;
     if (!is_exact_) return;
@@ -50,7 +50,7 @@ ContactInterval TriangleContacts::enclose(std::uint32_t i, std::uint32_t j) {
 }
 
 // Calls use(pair) with the TranslatedPair of two triangles, in the narrowest kernel that holds their points and the
-// motion. The motion is the difference of two more points: of a body whose pose is the first body's translation alone.
+// motion. The motion is passed as the difference of two more points, of a body that is only translated.
 template <class Use>
 auto TriangleContacts::with_integers(std::uint32_t i, std::uint32_t j, Use&& use) {
     const auto in_kernel = [&]<class Kernel>(const IntegerPoints<Kernel, 8>& points) {

@@ -1,4 +1,4 @@
-// Answers queries about the first contact of pairs of triangles of two posed meshes, of which the first is translated.
+// TriangleContacts answers queries about the first contact of pairs of triangles, while the first mesh is translated.
 #pragma once
 
 #include <array>
@@ -15,18 +15,19 @@ namespace ecods {
 
 class TriangleContacts {
   public:
-    // Cost: constant. Everything that the arguments refer to must outlive this. The motion must be finite and not zero.
+    // Cost: constant. The motion must be finite and not zero. Everything that the arguments refer to must outlive this
+    // object.
     void bind(const exact::BodyRef& a, const Vec3& motion, const exact::BodyRef& b);
 
-    // An interval that contains the time of first contact of triangle `i` of the first mesh and `j` of the second, from
-    // doubles with proven bounds.
+    // Returns an interval, with bounds that doubles prove, that contains the time of first contact of triangle `i` of
+    // the first mesh and triangle `j` of the second.
     ContactInterval enclose(std::uint32_t i, std::uint32_t j);
 
-    // The first contact from time 0 to 1, with the first features by the rule of FirstContact. `known` must be the
-    // result of enclose() for the pair.
+    // Returns the first contact of triangles i and j from time 0 to 1; nullopt if there is none. If several features
+    // touch first, the rule of FirstContact chooses. `known` must be the result of enclose(i, j).
     std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known);
 
-    // True if the triangles share a point from time 0 to `latest`.
+    // True if triangles i and j share a point at some time from 0 to `latest`.
     bool meet_by(std::uint32_t i, std::uint32_t j, double latest);
 
   private:
@@ -38,7 +39,7 @@ class TriangleContacts {
     std::array<const Triangle*, 2> triangles_{};
     Vec3 motion_ = Vec3::Zero();
     exact::ScaledVector scaled_{};
-    // The motion in the points' unit; set if is_exact_.
+    // The motion in the unit of the points; set only if is_exact_.
     exact::IntegerVector integer_motion_{};
     bool is_exact_ = false;
 };

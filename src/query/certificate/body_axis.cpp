@@ -22,7 +22,7 @@ BodyFrame::BodyFrame(const Posed<MeshShape>& body, const Vec3& base)
     origin = R * frame.center + offset;
     size = R_size * frame.map_size;
     origin_size = R_size * frame.center.cwiseAbs() + offset.cwiseAbs();
-    // The comparison is written so that NaN counts as unbounded.
+    // The comparison is false for NaN, so NaN counts as unbounded.
     is_bounded = frame.is_bounded && (1 + R_size.sum()) * frame.size_max + offset.cwiseAbs().sum() < size_max;
 }
 

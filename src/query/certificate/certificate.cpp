@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ecods/error.hpp"
 #include "geometry/words.hpp"
 #include "query/certificate/certificate_content.hpp"
 
@@ -33,6 +34,11 @@ std::string Certificate::to_string() const {
     }
     append_proof(text, c);
     return text;
+}
+
+void require_surface(const MeshShape& shape) {
+    if (shape.form() != MeshForm::surface)
+        throw NotSupported("a certificate is about a surface: ask about surface_of(solid)");
 }
 
 void Certificate::write(std::ostream& out) const {

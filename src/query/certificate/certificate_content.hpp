@@ -1,4 +1,4 @@
-// Defines what a certificate holds, and how its text is made.
+// Defines the content of a certificate, and how its text is made.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ namespace ecods {
 struct Certificate::Content {
     Claim claim = Claim::disjoint;
     double value = 0;
-    // The closest features, for distance and within; or the triangles that meet, as faces.
+    // For the claims distance and within: the closest features. For triangles that meet: the triangles, as faces.
     Feature a, b;
-    bool names_triangles = false;  // for distance and within: true if the triangles meet
+    bool names_triangles = false;  // true if a and b name triangles that meet
 
     std::shared_ptr<const MeshShape> shape_a;
     std::shared_ptr<const MeshShape> shape_b;  // null if the second body is the segment
@@ -27,9 +27,13 @@ struct Certificate::Content {
     Proof proof;
 };
 
+void require_surface(const MeshShape& shape);
+
 struct CertificateAccess {
-    // Returns the shape, kept if the Posed keeps it, otherwise referred to.
+    // Returns the shape of `posed`. Shares its ownership if `posed` does; otherwise the result does not own the shape.
+    // Throws NotSupported for a solid: a proof is about triangles.
     static std::shared_ptr<const MeshShape> shape_of(const Posed<MeshShape>& posed) {
+        require_surface(*posed.what);
         return posed.kept ? posed.kept : std::shared_ptr<const MeshShape>(std::shared_ptr<const void>(), posed.what);
     }
     using Content = Certificate::Content;
@@ -39,7 +43,7 @@ struct CertificateAccess {
     static const Content& content(const Certificate& certificate) noexcept { return *certificate.content_; }
 };
 
-// Appends the lines from `claim` to `end`.
+// Appends the lines of the text from `claim` to `end`.
 void append_proof(std::string& text, const CertificateAccess::Content& content);
 
 }  // namespace ecods

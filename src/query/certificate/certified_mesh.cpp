@@ -12,7 +12,7 @@
 namespace ecods {
 namespace {
 
-// Writes a mesh's canonical text (verify/certificates/README.md), piece by piece, to a sink: a stream or a digest.
+// Writes the canonical text of a mesh (verify/certificates/README.md) to `sink`, which is a stream or a digest.
 template <class Sink>
 class MeshText {
   public:
@@ -52,7 +52,7 @@ class MeshText {
         }
     }
 
-    // Visits the nodes and leaves in pre-order.
+    // Calls each(ref) for all nodes and leaves of the tree, in pre-order.
     template <class Visit>
     void visit(Visit&& each) {
         const auto all = [&](TreeRef ref) -> std::uint32_t {

@@ -5,12 +5,12 @@
 
 #include "base/double_key.hpp"
 #include "ecods/certificate.hpp"
-#include "ecods/distance.hpp"
-#include "ecods/intersection.hpp"
 #include "query/certificate/certificate_content.hpp"
 #include "query/certificate/pair_proof.hpp"
+#include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/intersection/surface_intersection.hpp"
 #include "query/shape/mesh_body.hpp"
 
 namespace ecods {
@@ -25,7 +25,7 @@ struct CertificateMemory final : QueryMemoryPart {
     TriangleDistances pair;
 };
 
-// Makes one certificate.
+// Maker makes one certificate about two bodies: it states the claim and records the proof.
 class Maker {
   public:
     Maker(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory)
@@ -37,7 +37,7 @@ class Maker {
     }
 
     Certificate relation() {
-        // Tries to prove that the bodies are disjoint; the attempt ends at two triangles that meet.
+        // Tries to prove that the bodies are disjoint. If they are not, the attempt ends at two triangles that meet.
         content_.claim = Claim::disjoint;
         const auto meeting = PairProof(a_, b_, 0, pair_, content_.proof).run(std::nullopt, PairProof::EndsAt::meeting);
         if (!meeting) return CertificateAccess::make(std::move(content_));
@@ -48,7 +48,7 @@ class Maker {
 
     Certificate distance() {
         PairWitness witness;
-        const double d = ecods::distance(a_, b_, {memory_, witness});
+        const double d = surface::distance(a_, b_, {memory_, witness});
         content_.claim = Claim::distance;
         content_.value = d;
         if (key_of(d) == 0) return meeting(witness);
@@ -58,16 +58,16 @@ class Maker {
 
     Certificate within(double d) {
         PairWitness witness;
-        const bool is_within = ecods::within(a_, b_, d, {memory_, witness});
-        if (key_of(d) == 0) d = 0;  // not -0
+        const bool is_within = surface::within(a_, b_, d, {memory_, witness});
+        if (key_of(d) == 0) d = 0;  // turns -0 into +0
         content_.value = d;
         if (!is_within) return prove(Claim::beyond, d);
         content_.claim = Claim::within;
-        // The witness need not be a pair within d: every pair is within infinity, and the search may have left no pair,
-        // or one that another query found.
+        // The witness may be no pair within d: if d is infinite no search is made, and another search may have set no
+        // pair, or left a pair of an earlier query. In these cases finds the nearest pair.
         if (key_of(d) == key_of(infinity) || !names_pair(witness) || pair_.compare(witness.a, witness.b, d) > 0) {
             witness = {};
-            if (key_of(ecods::distance(a_, b_, {memory_, witness})) == 0) return meeting(witness);
+            if (key_of(surface::distance(a_, b_, {memory_, witness})) == 0) return meeting(witness);
         }
         name_closest(witness);
         return CertificateAccess::make(std::move(content_));
@@ -101,7 +101,7 @@ class Maker {
     Certificate meeting(PairWitness witness) {
         if (!names_pair(witness) || key_of(pair_.distance(witness.a, witness.b)) != 0) {
             witness = {};
-            std::ignore = intersects(a_, b_, {memory_, witness});
+            std::ignore = surface::intersects(a_, b_, {memory_, witness});
         }
         name_meeting({witness.a, witness.b});
         return CertificateAccess::make(std::move(content_));

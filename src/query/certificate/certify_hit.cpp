@@ -3,14 +3,14 @@
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "ecods/certificate.hpp"
-#include "ecods/hit.hpp"
 #include "query/certificate/certificate_content.hpp"
 #include "query/certificate/line_proof.hpp"
+#include "query/hit/surface_hit.hpp"
 
 namespace ecods {
 namespace {
 
-// The midpoint of a positive double and the next smaller one; zero for the least positive double.
+// Returns the midpoint of a positive double and the double below it; zero for the least positive double.
 Parameter midpoint_below(double s) {
     const exact::Dyadic x = exact::decode(s), y = exact::decode(next_down(s));
     if (y.m == 0) return {};
@@ -25,9 +25,9 @@ bool is_even(double x) {
 }  // namespace
 
 Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
-    const auto hit = first_hit(segment, body, ask);
     CertificateAccess::Content content;
     content.shape_a = CertificateAccess::shape_of(body);
+    const auto hit = surface::first_hit(segment, body, ask);
     content.pose_a = body.pose;
     content.segment = segment;
     if (!hit) {

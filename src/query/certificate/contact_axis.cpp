@@ -13,7 +13,8 @@ using exact::Integer;
 
 namespace {
 
-// Rounds v 2^-e, with e such that the longest coordinate is at least 1/2 and below 1. The error is less than 2^-51.
+// Rounds 2^-e v to doubles, with e such that the largest coordinate is at least 1/2 and below 1. The error is less than
+// 2^-51.
 Vec3 in_doubles(const IntegerVector3& v) {
     int width = 0;
     for (const Integer& x : v) width = std::max(width, x.bit_width());
@@ -26,22 +27,22 @@ Vec3 in_doubles(const IntegerVector3& v) {
     return result;
 }
 
-// The share of the body's size within which points beyond the plane are decided exactly. Points further beyond are
-// outside by more than rounding and the leaf corners' error explain.
+// Points beyond the plane by less than this share of the body's size are decided exactly. Points further beyond are
+// outside: rounding and the errors of leaves' corners cannot explain their distance.
 constexpr double near_share = 0x1p-18;
 
 }  // namespace
 
-// The bound of `margin`: n in doubles is off by 2^-51 on each axis, and each point of the body is at most size +
-// origin_size from where coordinates are counted. The plane is computed from a corner of the body, and has the errors
-// of any other point.
+// Error bound `margin`: n in doubles is off by 2^-51 on each axis, and each point of the body is at most size +
+// origin_size from the point from which coordinates are counted. The plane is computed from a corner of the body, so it
+// has the errors of any other point.
 ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners, const ExactPoints& points,
                          const std::array<BodyFrame, 2>& bodies)
     : axis(named_axis), points_(points), n_(vector_of(axis.formula, corners)) {
     ExactReach a = reach_of(n_, &corners[0]), b = reach_of(n_, &corners[3]);
     const bool is_up = compare(b.low, a.high) >= 0, is_down = compare(a.low, b.high) >= 0;
-    // If both directions separate weakly, the triangles are in one plane. The axis is then turned to point roughly from
-    // a to b.
+    // If n and -n both separate weakly, the triangles are in one plane. The axis is then turned so that it points
+    // roughly from a to b.
     const Vec3 towards_b = bodies[1].origin - bodies[0].origin;
     if (is_down && (!is_up || in_doubles(n_).dot(towards_b) < 0)) {
         n_ = minus(IntegerVector3{}, n_);
@@ -57,7 +58,7 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
         half.body = &body;
         half.axis = put_on_axis(body, (k == 0 ? 1.0 : -1.0) * n);
         const double size = body.size.sum() + body.origin_size.sum();
-        // Doubled because the coordinates of the plane's corner are off, too.
+        // The error is doubled because the coordinate of the plane's corner is off, too.
         half.margin = (2 * half.axis.error + 0x1p-49 * size) * (1 + 0x1p-20) + half.axis.corner_reach;
         half.near = near_share * body.size.sum();
         half.vertices.assign(body.ref.mesh->vertices().size(), Side::unknown);
@@ -71,7 +72,7 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
     }
 }
 
-// The lanes that are inside, and the lanes that may be.
+// Returns two sets of lanes: those that are certainly inside, and others that may be.
 template <class X>
 std::array<std::uint32_t, 2> ContactAxis::classify(const Half& half, const X& x) const {
     if (!half.axis.is_bounded) return {0, x.lanes()};
@@ -101,7 +102,8 @@ bool ContactAxis::is_part_inside(std::size_t body, const TreeLeaf& leaf, std::si
                                [&](std::uint32_t vertex) { return is_vertex_inside(body, vertex); });
 }
 
-// Decides if a part of a node is inside: it is if all triangles in it that bounds leave open are inside.
+// Returns true if child `lane` of the node is inside. It is if all its triangles are inside; only triangles that bounds
+// leave undecided are tested.
 bool ContactAxis::is_part_inside(std::size_t body, const BvhNode& node, std::size_t lane) {
     Half& half = halves_[body];
     const TreeRef part = node.child[lane];

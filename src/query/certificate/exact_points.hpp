@@ -1,4 +1,5 @@
-// Represents posed vertices and points of a segment as integers of any length, as multiples of one power of two.
+// Represents posed vertices, and points of a segment, by integers of any length. These count multiples of one power of
+// two.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ inline bool is_zero(const IntegerVector3& v) noexcept {
     return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }
 
-// A parameter m 2^e of a segment, which may be the midpoint of two doubles.
+// Parameter is a parameter m 2^e of a segment. It may be the midpoint of two doubles, which a double cannot hold.
 struct Parameter {
     std::int64_t m = 0;
     int e = 0;
@@ -27,16 +28,15 @@ struct Parameter {
 
 class ExactPoints {
   public:
-    // Represents the vertices of two bodies. Everything that the arguments refer to must outlive this.
+    // Represents the vertices of two bodies. Everything that the arguments refer to must outlive this object.
     ExactPoints(const exact::BodyRef& a, const exact::BodyRef& b) noexcept;
-    // Represents the vertices of a body, and the points of a segment at parameter 0 and at multiples of 2^e, with the e
-    // of `finest`.
+    // Represents the vertices of a body, and the points of the segment whose parameters are multiples of 2^finest.e.
     ExactPoints(const exact::BodyRef& a, const Segment& segment, const Parameter& finest) noexcept;
 
     IntegerVector3 vertex(std::size_t body, std::uint32_t index) const {
         return terms_[body].point_in<exact::Integer>(unit_, meshes_[body]->vertices()[index]);
     }
-    // from + s (to - from)
+    // Returns from + s (to - from).
     IntegerVector3 on_segment(const Segment& segment, const Parameter& s) const;
 
   private:
@@ -44,7 +44,7 @@ class ExactPoints {
 
     std::array<const Mesh*, 2> meshes_{};
     std::array<exact::PoseTerms, 2> terms_;
-    int unit_ = 0;  // all coordinates are multiples of 2^unit_
+    int unit_ = 0;  // coordinates are counted in units of 2^unit_
 };
 
 }  // namespace ecods

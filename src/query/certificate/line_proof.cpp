@@ -47,7 +47,7 @@ class LineProof {
     struct Axis {
         Vec3 n;
         BodyAxis a;
-        double low = 0, high = 0;  // interval of the segment's piece, enlarged by all errors
+        double low = 0, high = 0;  // interval of the segment's piece along n, enlarged by all errors
         bool is_bounded = false;
         Proof::Word named = Proof::no_axis;
     };
@@ -62,22 +62,23 @@ class LineProof {
     BodyFrame body_;
     ApartBy apart_;
     Proof& proof_;
-    Vec3 from_, to_;  // ends of the piece relative to the body's translation, rounded
+    Vec3 from_, to_;  // the segment's ends relative to the body's translation, rounded
     double parameter_;
     ExactPoints points_;
     IntegerVector3 exact_from_, exact_to_;
     std::vector<Axis> axes_;
 };
 
-// Projects the piece, which ends at from + s (to - from). That point takes two products, each with the errors of a
-// difference, of the rounded parameter and of a product; and two sums: below 8 u' (|from| + |to|) on each axis.
-// Products with n add 4 u'.
+// Projects the piece from `from` to from + s (to - from) onto n. Bound of the second point: two products each have the
+// errors of a difference, of the rounded parameter and of a product, and there are two sums. This is below 8 u' (|from|
+// + |to|) on each axis. Products with n add 4 u'.
+// Claim: verify/proofs/lines_and_times.py
 LineProof::Axis LineProof::bind(const Vec3& n) const {
     Axis axis;
     axis.n = n;
     axis.a = put_on_axis(body_, n);
     const double from = n.dot(from_), to = n.dot(to_), end = from + parameter_ * (to - from);
-    // The magnitudes of the terms of from_ and to_ do not matter: each is one rounded difference.
+    // The errors of from_ and to_ are relative to their own sizes, because each is one rounded difference.
     const double size = n.cwiseAbs().dot(from_.cwiseAbs() + to_.cwiseAbs());
     const double error = (axis.a.error + 32 * two_u * size) * (1 + 0x1p-20);
     axis.low = std::min(from, end) - error;
@@ -93,7 +94,8 @@ void LineProof::add_axes() {
     for (int k = 0; k < 3; ++k) axes_.push_back(bind(shortened(shortened(direction).cross(shortened(normals.col(k))))));
 }
 
-// Adds the opening of a node or leaf to the proof. Returns the parts that no axis proves to be apart from the piece.
+// Adds the opening of a node or leaf x to the proof. Returns the lanes of x that no axis proves to be apart from the
+// piece.
 template <class X>
 std::uint32_t LineProof::open(const X& x) {
     std::uint32_t left = x.lanes();
@@ -117,8 +119,8 @@ std::uint32_t LineProof::open(const X& x) {
     return left;
 }
 
-// Guesses the formula whose axis has the widest gap in doubles. Integers confirm the guess: trying all 32 formulas in
-// integers takes most of the time of a proof.
+// Returns the formula whose axis has the widest gap in doubles. This is a guess, which integers must confirm. Trying
+// all 32 formulas in integers would take most of the time of a proof.
 AxisFormula LineProof::likely_axis(const Triangle& triangle) const {
     const std::array<Vec3, 3> corner{body_.at(triangle[0]), body_.at(triangle[1]), body_.at(triangle[2])};
     const Vec3 way = parameter_ * (to_ - from_);

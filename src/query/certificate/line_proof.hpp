@@ -1,4 +1,4 @@
-// Proves by a walk of a tree that a segment, or its piece before the first hit, meets no triangle.
+// Proves, by a walk of a tree, that a segment, or its piece before the first hit, meets no triangle.
 #pragma once
 
 #include "ecods/pose.hpp"
@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// Proves that the piece from parameter 0 to `end` meets no triangle. This claim must be true. `apart` is half_open if
-// triangles may be met at the very end.
+// Writes to `proof` that the piece of the segment from parameter 0 to `end` meets no triangle. Call only if this is
+// true. If triangles may be met at the very end, `apart` must be half_open, otherwise strictly.
 void prove_line(const Posed<MeshShape>& body, const Segment& segment, const Parameter& end, ApartBy apart,
                 Proof& proof);
 

@@ -11,7 +11,8 @@
 namespace ecods {
 namespace {
 
-// Sets the numbers in floats. Parts are apart if their gap exceeds `need`, which is finite.
+// Sets the members for tests in floats. A test shall prove boxes apart if their gap exceeds `need`, which must be
+// finite.
 void set_floats(PairAxis& axis, double need) noexcept {
     constexpr double v = 0x1p-23;
     const BodyAxis &a = axis.a, &b = axis.b;
@@ -25,7 +26,7 @@ void set_floats(PairAxis& axis, double need) noexcept {
         axis.p_a[k] = static_cast<float>(a.p[k] * scale);
         axis.p_b[k] = static_cast<float>(b.p[k] * scale);
     }
-    // The 2^-20 covers the rounding of the difference of q and of this sum.
+    // The factor 1 + 2^-20 covers the rounding of the difference of q and of this sum.
     const double errors = (a.error + b.error) + (a.corner_reach + b.corner_reach) + 16 * v * sum;
     const double margin = (need + errors * (1 + 0x1p-20)) * (scale * (1 + 0x1p-48)) + 0x1p-100;
     const double q = (b.q - a.q) * scale;
@@ -41,7 +42,7 @@ PairAxis pair_axis(const BodyFrame& a, const BodyFrame& b, const Vec3& n, double
     axis.a = put_on_axis(a, n);
     axis.b = put_on_axis(b, n);
     const double need = distance * n.norm() * (1 + 0x1p-40);
-    // The roundings are seven of a product of positive numbers and two of sums.
+    // The factor 1 + 2^-20 covers the roundings: seven in a product of positive numbers, and two sums.
     const double margin = (axis.a.error + axis.b.error) * (1 + 0x1p-20) + need;
     if (!axis.a.is_bounded || !axis.b.is_bounded || !(margin < 0x1p600)) return axis;
     axis.margin = margin;
@@ -74,7 +75,7 @@ SlabEnds slab_ends(const PairAxis& axis, const BodyAxis& of_tree, const Slab& sl
 
 namespace {
 
-// Joins the lanes of a leaf beside a node: the leaf counts as one part.
+// If one of x and y is a leaf and the other a node, joins the intervals of the leaf: it is then tested as one box.
 template <class X, class Y, class Number>
 ECODS_ALWAYS_INLINE void join_leaf(Reaches<Number>& of_x, Reaches<Number>& of_y) noexcept {
     if constexpr (std::is_same_v<X, Y>) return;
@@ -87,7 +88,7 @@ struct InFloats : ProjectedLanes<width> {
     using Lanes::find_ends, Lanes::part_count, Lanes::store;
     using typename Lanes::Floats;
 
-    // Projects the parts, and adds `below` and `above` to the ends of their intervals.
+    // Sets `reaches` to the intervals of the boxes or triangles of x, with `below` and `above` added to their ends.
     template <class X>
     ECODS_ALWAYS_INLINE static void project(const std::array<float, 3>& p, const X& x, const SlabEnds* slab,
                                             float below, float above, Reaches<float>& reaches) noexcept {
@@ -126,7 +127,7 @@ ECODS_ALWAYS_INLINE std::uint64_t apart_in_doubles(const PairAxis& axis, const X
     return apart_lanes<4>(of_x, of_y, columns);
 }
 
-// Bit j is set if bit 8 i + j is set for some i.
+// Returns the set of columns that occur in `pairs`: bit j is set if bit 8 i + j of `pairs` is set for some i.
 std::uint32_t columns_of(std::uint64_t pairs) {
     pairs |= pairs >> 32;
     pairs |= pairs >> 16;

@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-// True if x is a leaf beside a node. It is not opened: all of it must be apart along one axis.
+// True if x is a leaf and y a node. The leaf is then not opened: it is tested as one box, with all its triangles.
 template <class X, class Y>
 inline constexpr bool is_leaf_beside_node = std::is_same_v<X, TreeLeaf>&& std::is_same_v<Y, BvhNode>;
 
@@ -17,15 +17,15 @@ std::size_t part_count(const X& x, const Y&) {
     return is_leaf_beside_node<X, Y> ? 1 : x.count;
 }
 
-// The digits of a slab's normal, and the least number of pairs that it must prove in a step to be worth an axis line.
+// The digits of a slab's normal, and the number of pairs that the slab must prove in a step to be worth an axis line.
 constexpr int slab_bits = 12;
 constexpr int slab_min = 2;
-// The least number of open pairs of triangles of two leaves for which an axis is tried exactly.
+// An axis is tried exactly if at least this many pairs of triangles of two leaves are open.
 constexpr int ties_min = 4;
-// The greatest excess of such a pair's distance over the claimed distance, as a share of the body's size.
+// The distance of such a pair may exceed the claimed distance by at most this share of the body's size.
 constexpr double tie_share = 0x1p-16;
 
-// The number of pairs of leaves for which only doubles proved anything, after which doubles are tried always.
+// Doubles are always tried after this many pairs of leaves for which only doubles proved anything.
 constexpr int fine_min = 4;
 
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
@@ -48,14 +48,14 @@ template <class X, class Y>
 bool PairProof::try_axis(PairAxis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left) {
     if (axis.margin == std::numeric_limits<double>::infinity()) return false;
     const std::uint64_t mask = apart_mask(axis, x, y, left, trial.is_fine, trial.of_x, trial.of_y);
-    // An axis that is not named yet costs a line of its own.
+    // If the axis is not in the proof yet, it costs a line of its own there.
     const int least = axis.named == Proof::no_axis ? trial.least : 1;
     if (std::popcount(mask & left) < least || !proof_.name({.given = axis.n}, axis.named)) return false;
     left &= ~mask;
     return true;
 }
 
-// Gives the axis of a node's slab from a cache: nodes come again, beside others.
+// Returns the axis of a node's or leaf's slab. It is cached, because the same node is opened again beside other nodes.
 template <class X>
 PairProof::SlabAxis& PairProof::slab_axis(const X& x, std::size_t body) {
     const MeshBvh& tree = bodies_[body].tree;
@@ -106,8 +106,8 @@ void PairProof::try_slabs(const X& x, const Y& y, bool is_fine, std::uint64_t& l
     }
 }
 
-// Tries the axis of the closest features of the first open pair of triangles, as a vector. If many pairs
-// stay open, tries it exactly, as a formula.
+// Tries the axis between the closest features of the first open pair of triangles, rounded to a vector. If many pairs
+// stay open, tries this axis exactly, as a formula. Removes the pairs that are proven apart from `left`.
 void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t& left) {
     if (left != 0) {
         const auto first = static_cast<std::size_t>(std::countr_zero(left));
@@ -121,14 +121,14 @@ void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t
     if (std::popcount(left) >= ties_min) {
         const auto first = static_cast<std::size_t>(std::countr_zero(left));
         const std::uint32_t i = x.triangle[first / tree_width], j = y.triangle[first % tree_width];
-        // Triangles that are well apart are open only because too few axes were tried.
+        // If the triangles are well apart, they are open only because too few axes were tried.
         const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * bodies_[0].size.sum());
         if (const auto formula = formula_for(i, j); is_tie && formula && add_contact(*formula, i, j))
             try_contact(contacts_.back(), x, y, left);
     }
 }
 
-// Chooses the axes of a step. Returns the pairs that none of them proves.
+// Chooses the axes of a step for nodes or leaves x and y. Returns those of the pairs `all` that no axis proves apart.
 template <class X, class Y>
 std::uint64_t PairProof::try_axes(const X& x, const Y& y, std::uint64_t all) {
     constexpr bool are_leaves = std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>;
@@ -170,8 +170,8 @@ void PairProof::try_contact(ContactAxis& contact, const X& x, const Y& y, std::u
     if ((mask & left) != 0 && proof_.name(contact.axis, contact.named)) left &= ~mask;
 }
 
-// Adds the opening of two nodes or leaves to the proof. Returns the pairs that it leaves: bit 8 i + j is part i of x
-// and part j of y.
+// Adds the opening of x and y to the proof. Returns the pairs that it leaves open: bit 8 i + j stands for lane i of x
+// and lane j of y.
 template <class X, class Y>
 std::uint64_t PairProof::open(const X& x, const Y& y) {
     const std::size_t columns = part_count(y, x);
@@ -190,8 +190,8 @@ std::uint64_t PairProof::open(const X& x, const Y& y) {
     return left;
 }
 
-// Opens a pair of a node of body 1 and one of body 0, in which order LanePairs has the bits of open(). Returns false if
-// the walk ends.
+// Opens a node or leaf y of body 1 and x of body 0. (In this order LanePairs has the bits of open().) Returns false if
+// the walk ends, because two triangles meet or cross.
 bool PairProof::visit(const NodePair& top) {
     return with_nodes(bodies_[1].tree, bodies_[0].tree, top, [&]<class Y, class X>(const Y& y, const X& x) {
         LanePairs left(open(x, y));
@@ -206,13 +206,13 @@ bool PairProof::visit(const NodePair& top) {
         } else {
             const auto before = static_cast<std::ptrdiff_t>(stack_.size());
             push_children(top, y, x, left, [&](const NodePair& children, const auto&) { stack_.push_back(children); });
-            std::reverse(stack_.begin() + before, stack_.end());  // a proof goes on with the first
+            std::reverse(stack_.begin() + before, stack_.end());  // a proof opens the first next
         }
         return true;
     });
 }
 
-// Adds the axes that are tried first.
+// Adds the axis between the two triangles `closest`, exactly and rounded, so that it is tried first.
 void PairProof::add_first_axes(const TrianglePair& closest, const AxisFormula& formula) {
     add_contact(formula, closest.a, closest.b);
     axes_.push_back(bind(direction_of(closest.a, closest.b)));

@@ -1,4 +1,4 @@
-// Proves a claim about every pair of triangles of two bodies, by a walk of both trees.
+// Proves a claim about every pair of triangles of two bodies by walking both trees.
 #pragma once
 
 #include <optional>
@@ -18,28 +18,28 @@ namespace ecods {
 
 class PairProof {
   public:
-    // `least` is the distance that the claims distance and beyond name, 0 for other claims: axes prove parts to be
-    // further apart than `least`. `pair` must be bound to the bodies. All arguments must outlive this.
+    // Axes must prove boxes to be further apart than `least`. It is the distance that the claims distance and beyond
+    // name, and 0 for other claims. `pair` must be bound to the bodies. All arguments must outlive this object.
     PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double least, TriangleDistances& pair,
               Proof& proof);
 
     enum class EndsAt : std::uint8_t { meeting, crossing };
-    // Makes the proof. The claim must be true, with one exception: the bodies may cross, or share a point if `ends_at`
-    // is meeting. The walk then ends, and two triangles that do so are returned. Axes between the two triangles
-    // `closest` are tried first.
+    // Writes the proof and returns nullopt. The claim must be true, with one exception: the bodies may cross, or share
+    // a point if `ends_at` is meeting. In that case returns two triangles that do so, and the proof is unfinished. Axes
+    // between the two triangles `closest` are tried first.
     std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest, EndsAt ends_at);
 
   private:
-    // The axis of the slab of a node or leaf, in the cache.
+    // Caches the axis along the slab of a node or leaf.
     struct SlabAxis {
         static constexpr std::size_t none = ~std::size_t{0};
         std::size_t node = none;
-        std::size_t at = none;  // index in axes_ once it is named
+        std::size_t at = none;  // index in axes_ once the proof uses it
         PairAxis axis{};
         SlabEnds ends{};
     };
-    // Says how an axis is tried: it must prove `least` pairs to be named; if `is_fine`, doubles decide where floats
-    // fail.
+    // Says how an axis is tried. The axis enters the proof only if it proves `least` pairs. If `is_fine`, doubles test
+    // the pairs for which floats prove nothing.
     struct Trial {
         int least;
         bool is_fine;
@@ -75,18 +75,18 @@ class PairProof {
     Proof& proof_;
     std::array<BodyFrame, 2> bodies_;
     std::array<Mat3, 2> normals_;
-    std::vector<PairAxis> axes_;  // the first six are the boxes' normals
+    std::vector<PairAxis> axes_;  // the first six are the normals of both trees' boxes
     std::vector<SlabAxis> slabs_;
-    std::array<std::uint8_t, 128> slab_places_{};  // by node, modulo: 1 + index in slabs_, or 0
+    std::array<std::uint8_t, 128> slab_places_{};  // by hash of the node: 1 + index in slabs_, or 0
     std::array<std::size_t, 4> recent_{};
     std::size_t recent_count_ = 0;
-    int contact_count_ = 0;  // number of pairs of leaves that the boxes' axes left open
-    int fine_count_ = 0;     // number of pairs of leaves that need doubles
+    int contact_count_ = 0;  // number of pairs of leaves that the first axes left open
+    int fine_count_ = 0;     // number of pairs of leaves that needed doubles
     std::vector<NodePair> stack_;
     std::optional<ExactPoints> points_;
     std::vector<ContactAxis> contacts_;
     EndsAt ends_at_ = EndsAt::crossing;
-    std::optional<TrianglePair> found_;  // two triangles at which the walk ends
+    std::optional<TrianglePair> found_;  // two triangles that ended the walk
 };
 
 }  // namespace ecods

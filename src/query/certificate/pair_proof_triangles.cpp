@@ -1,4 +1,4 @@
-// Finds the axis of two triangles for a proof: that of their closest features, or of their contact.
+// Finds the axis of two triangles for a proof: the axis between their closest features, or an axis of their contact.
 #include <algorithm>
 
 #include "base/double_key.hpp"
@@ -11,12 +11,13 @@ using Kind = AxisFormula::Kind;
 
 constexpr std::size_t contacts_max = 8;
 
-// The corner by which a triangle names a feature; 0 for a face.
+// Returns the corner by which the triangle names the feature; 0 for a face.
 std::uint8_t corner_of(const FeatureKey& feature, std::uint32_t triangle, const Triangle& corners) {
     return static_cast<std::uint8_t>(feature_of(feature, triangle, corners).corner);
 }
 
-// The axis of the closest features of two triangles that do not meet: the gap along it is their distance.
+// Returns the axis between the closest features of two triangles that do not meet. The gap along it is their distance.
+// `i` and `j` are the corners that name the features of a and b.
 AxisFormula formula_between(ClosestKind kind, bool a_is_vertex, std::uint8_t i, std::uint8_t j) {
     switch (kind) {
         case ClosestKind::vertex_vertex:
@@ -32,14 +33,14 @@ AxisFormula formula_between(ClosestKind kind, bool a_is_vertex, std::uint8_t i, 
 
 }  // namespace
 
-// The interval must be certain, and its lower bound positive.
+// Call only if the interval is certain and its lower bound is positive.
 AxisFormula PairProof::formula_of(const DistanceInterval& interval, std::uint32_t i, std::uint32_t j) const {
     return formula_between(interval.kind, interval.a.is_vertex(), corner_of(interval.a, i, bodies_[0].triangle(i)),
                            corner_of(interval.b, j, bodies_[1].triangle(j)));
 }
 
-// The rounded direction from the closest point of triangle i to that of triangle j; zero if the closest features are
-// not certain.
+// Returns the rounded direction from the closest point of triangle i to the closest point of triangle j; zero if the
+// closest features are not certain.
 Vec3 PairProof::direction_of(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
     if (!interval.is_certain) return Vec3::Zero();
@@ -61,7 +62,8 @@ SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
     return corners;
 }
 
-// The axis along which two triangles have their widest gap; nullopt if the walk ends at them.
+// Returns the axis along which two triangles have their widest gap. If they share a point, returns nullopt if
+// `ends_at_` is meeting; otherwise returns an axis that separates them weakly, or nullopt if they cross.
 std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
     if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, i, j);
@@ -75,10 +77,10 @@ std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t
     return find_axis(corners_of(i, j), ApartBy::weakly);
 }
 
-// Adds the axis of two triangles to those that are tried exactly. Returns false if it is of another kind or the list is
-// full.
+// Adds the axis of triangles i and j to the axes that are tried exactly. Returns false, with nothing added, if the list
+// is full or the formula involves a vertex.
 bool PairProof::add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j) {
-    // Kinds that involve a vertex are left out: if triangles tie at a vertex, each pair has a line of its own.
+    // Formulas that involve a vertex are left out: if triangles tie at a vertex, each pair needs an axis of its own.
     const bool is_axis =
         formula.kind == Kind::normal_a || formula.kind == Kind::normal_b || formula.kind == Kind::edges;
     if (contacts_.size() == contacts_max || !is_axis) return false;

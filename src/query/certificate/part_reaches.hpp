@@ -1,5 +1,5 @@
-// Finds the intervals of the parts of nodes and leaves along an axis, and compares those of two nodes (body_axis.hpp
-// derives the bounds).
+// Finds the intervals of boxes or triangles of nodes and leaves along an axis, and compares the intervals of two nodes.
+// The error bounds are derived in body_axis.hpp.
 #pragma once
 
 #include <array>
@@ -20,18 +20,18 @@ struct BodyAxis {
     double q = 0;
     double error = 0;
     double corner_reach = 0;  // error bound of a leaf's corner
-    bool is_bounded = false;  // if false, the bounds do not hold
+    bool is_bounded = false;  // if false, the error bounds do not hold
 
     double at(const Vec3& y) const noexcept { return p[0] * y[0] + p[1] * y[1] + p[2] * y[2] + q; }
 };
 
-// The interval of each lane. Lanes beyond the number of parts repeat the last part.
+// Holds the interval of each lane along an axis. Lanes beyond the last used one repeat it.
 template <class Number>
 struct Reaches {
     alignas(32) std::array<Number, tree_width> low;
     alignas(32) std::array<Number, tree_width> high;
 
-    // Gives each lane the union of all intervals.
+    // Sets each lane to the union of all intervals.
     ECODS_ALWAYS_INLINE void join_lanes() noexcept {
         Number least = low[0], most = high[0];
         for (std::size_t lane = 1; lane < tree_width; ++lane) {
@@ -43,7 +43,7 @@ struct Reaches {
     }
 };
 
-// Finds the intervals in doubles, without the axis's error.
+// Finds intervals in doubles, without adding the axis's error.
 struct InDoubles {
     using Half = Vec<double, 4>;
 
@@ -74,7 +74,7 @@ struct InDoubles {
         high = max(x, max(y, z)) + axis.corner_reach;
     }
 
-    // Enlarges the intervals by a margin.
+    // Sets `reaches` to the intervals of the lanes of x, enlarged by `margin` on both sides.
     template <class X>
     ECODS_ALWAYS_INLINE static void find_reaches(const BodyAxis& axis, double margin, const X& x,
                                                  Reaches<double>& reaches) noexcept {
@@ -87,7 +87,8 @@ struct InDoubles {
     }
 };
 
-// Bit 8 i + j of the result: parts i of x and j of y are apart. It tests all lanes i, and the lanes j in `columns`.
+// Returns the pairs whose intervals are apart: bit 8 i + j stands for lane i of x and lane j of y. Tests all lanes i,
+// and the lanes j that are set in `columns`.
 template <std::size_t width, class Number>
 ECODS_ALWAYS_INLINE std::uint64_t apart_lanes(const Reaches<Number>& x, const Reaches<Number>& y,
                                               std::uint32_t columns) noexcept {

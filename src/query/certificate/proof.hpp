@@ -1,4 +1,4 @@
-// Stores a proof: its axes, and its steps as one sequence of numbers.
+// Stores a proof: a list of axes, and its steps as one sequence of words.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace ecods {
 
-// An axis that steps refer to: a vector of doubles with few digits, or one of the first three kinds of formula, of two
-// triangles.
+// An axis that steps refer to by its index. It is a vector of doubles with few digits (`given`) or a formula of the
+// first three kinds, for triangles a and b.
 struct ProofAxis {
     bool is_given = true;
     Vec3 given = Vec3::Zero();
@@ -28,21 +28,21 @@ struct Proof {
     static constexpr Word no_axis = 0xffff;
 
     std::vector<ProofAxis> axes;
-    // The steps, one after the other. An opening: its kind, the number of axes, the axes, the number of pairs left
-    // open, the pairs. Two triangles: the step's kind, the formula's kind, i and j.
+    // The steps, one after the other. An opening has these words: its kind, the number of axes, the axes, the number of
+    // pairs left open, these pairs. A pair of triangles has: the step's kind, the formula's kind, i and j.
     std::vector<Word> words;
     std::size_t step_count = 0;
     std::size_t opening = 0;  // index of the last opening's first word
 
     void clear() noexcept { *this = {}; }
 
-    // Begins an opening; name() adds its axes, and end_opening() the parts that they leave open.
+    // Begins an opening. Afterwards name() adds its axes, and end_opening() adds the pairs that they leave open.
     void begin_opening() {
         opening = words.size();
         words.insert(words.end(), {0, 0});
     }
-    // Names an axis once in the step, and adds it to the proof's list if `named` is no_axis. Returns false, with
-    // nothing named, if the list is full.
+    // Adds an axis to the current opening, unless it is there already. If `named` is no_axis, first appends the axis to
+    // the proof's list and sets `named` to its index. Returns false, and changes nothing, if the list is full.
     bool name(const ProofAxis& axis, Word& named) {
         if (named == no_axis) {
             if (axes.size() >= no_axis) return false;

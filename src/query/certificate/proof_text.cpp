@@ -53,7 +53,7 @@ void append_formula(std::string& text, Kind kind, std::uint64_t i, std::uint64_t
     if (kind != Kind::coordinate) append_words(text, j);
 }
 
-// Appends one step. Returns the index of the next one.
+// Appends the text of the step at words[at]. Returns the index of the next step.
 std::size_t append_step(std::string& text, const std::vector<Proof::Word>& words, std::size_t at) {
     static constexpr std::array names{"ab", "a", "b", "t"};
     const auto kind = static_cast<StepKind>(words[at++]);

@@ -1,4 +1,4 @@
-// Defines what the certificate of a world holds.
+// Defines the content of a world's certificate.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ struct WorldCertificate::Content {
         Pose pose;
         CollisionFilter filter;
     };
-    // One claim about a pair, or two: disjoint and within.
+    // Holds one claim about a pair, or the two claims disjoint and within.
     struct Pair {
         BodyPair ids;
         Certificate first;

@@ -1,8 +1,9 @@
 // Finds and proves where two convex solids are closest to each other.
 //
-// Points x of the first solid and y of the second are closest if and only if no point of the first is beyond x along n
-// = y - x, and no point of the second is before y. In a convex set no vertex is beyond one that has no neighbor beyond
-// it. So it takes a handful of signs to prove a guess of three vertices of each solid whose closest features are known.
+// Points x of the first solid and y of the second are closest if and only if no point of the first solid is beyond x
+// along n = y - x, and no point of the second solid is before y. In a convex set, no vertex is beyond a vertex that has
+// no neighbor beyond it. So a handful of signs suffices to prove a guess: three vertices of each solid whose closest
+// features are known.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <optional>
 #include <span>
 
+#include "ecods/ask.hpp"
 #include "ecods/results.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
 #include "exact/measure/round/squared_distance.hpp"
@@ -20,7 +22,7 @@
 
 namespace ecods::convex {
 
-// Sets of up to four vertices of each hull.
+// Holds a set of up to four vertices of each hull.
 struct VertexSets {
     std::array<std::array<std::uint32_t, 4>, 2> at{};
     std::array<std::size_t, 2> count{};
@@ -33,8 +35,8 @@ struct VertexSets {
         if (std::find(at[side].begin(), end, vertex) == end) at[side][count[side]++] = vertex;
     }
     std::size_t triangle_count(std::size_t side) const noexcept { return count[side] == 4 ? 4 : 1; }
-    // A triangle of the set's vertices. With four vertices it leaves out number `without`; with one or two it repeats
-    // the last one.
+    // Returns a triangle of the set's vertices. If there are four vertices, it leaves out number `without`; if there
+    // are only one or two, it repeats the last one.
     std::array<std::uint32_t, 3> triangle(std::size_t side, std::size_t without = 0) const noexcept {
         std::array<std::uint32_t, 3> result;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -45,14 +47,14 @@ struct VertexSets {
     }
 };
 
-// A vertex, an edge or a face of each hull that hold closest points. Their vertices are the first ones of a triangle of
-// vertices, which may repeat a vertex.
+// Holds a feature (vertex, edge or face) of each hull, on which closest points lie. The feature's vertices are the
+// first ones of `corners[side]`, a triangle of hull vertices that may repeat a vertex.
 struct HullFeatures {
     std::array<std::array<std::uint32_t, 3>, 2> corners{};
-    exact::FeaturePair features;  // features of the two triangles
+    exact::FeaturePair features;  // the features of the two triangles `corners`
 
     HullFeatures() = default;
-    // Reorders each triangle so that the vertices of its feature come first.
+    // Takes a feature pair of two triangles. Reorders each triangle so that the vertices of its feature come first.
     HullFeatures(const std::array<std::array<std::uint32_t, 3>, 2>& triangles, const exact::FeaturePair& f) noexcept;
 
     std::array<HullVertex, 6> vertices() const noexcept {
@@ -66,46 +68,52 @@ struct HullFeatures {
 
 struct ClosestHulls {
     HullFeatures found;
-    // By side: all of a solid that is extreme towards the other one; the closest points are on both parts. Null if the
-    // part is the feature of `found`, and its index has not been looked up.
+    // By side: the hull's feature that is extreme towards the other solid; it contains the closest points. Empty if it
+    // is the feature of `found` and its index has not been looked up.
     std::array<std::optional<HullFeature>, 2> parts;
-    // True if the features of `found` are these parts, and hold the only closest points, which are inside both.
+    // True if the features of `found` are these `parts`, and contain the only closest points, in their interiors.
     bool are_only = false;
 
     HullFeature part(const PosedHulls& hulls, std::size_t side) const noexcept;
 };
 
-// Proves the guess by signs of rounded points. If these leave open which vertices are level with the features, exact
-// signs decide. Returns nullopt if the guess is wrong, or a closest point may be on the border of a feature.
+// Proves the guess by signs of rounded points. If these do not decide which vertices are level with the features, exact
+// signs do. Returns nullopt if the guess is wrong, or if a closest point may be on the border of a feature.
 std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& guess);
-// True if rounded points prove that the origin is inside the simplex: the solids then share a point.
+// True if rounded points prove that the origin is inside the simplex. The solids then share a point.
 bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept;
 
-// Finds and proves the closest features exactly, from any guess of at least one pair. Returns nullopt if the solids
-// share a point.
+// Finds and proves the closest features exactly. Begins at `guess`, which may be any simplex of at least one pair.
+// Returns nullopt if the solids share a point.
 std::optional<ClosestHulls> find_closest_exactly(PosedHulls& hulls, const Simplex& guess);
 
-// The closest features of two triangles of vertices, computed in doubles without proof.
+// Returns the probable closest features of two triangles of vertices, computed in doubles without a proof.
 HullFeatures guess_of_triangles(PosedHulls& hulls, const std::array<std::array<std::uint32_t, 3>, 2>& corners);
 
-// True if the features hold closest points of their two triangles, whose vertices must not meet. Exact.
+// True if the features contain closest points of their two triangles. The vertices of these must not meet. Exact.
 bool are_closest_of_triangles(PosedHulls& hulls, const HullFeatures& found);
 
-// The signs of n . (neighbor - vertex `at`), for up to signs_at_once neighbors. n is the direction of the features from
-// the first solid to the second, negated for the second. Exact.
+// Returns the exact signs of n . (neighbor - vertex `at`), for up to signs_at_once neighbors. For the first solid, n is
+// the direction from the feature of the first solid to the feature of the second; for the second solid, the opposite
+// direction.
 std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeatures& found, std::size_t side,
                                             std::uint32_t at, std::span<const Hull::Neighbor> neighbors);
 
-// Names the features that hold the closest points, by the rule of ClosestPoints, and computes these points.
+// Chooses the features that name the closest points, by the rule of ClosestPoints, and computes these points.
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest);
 
-// Finds where two solids are closest, by the cheapest of these functions that succeeds; nullopt if they share a point.
-// `witness` is as in solid.hpp, or null.
+// True if the witness names two triangles.
+constexpr bool is_known(const PairWitness& witness) noexcept {
+    return witness.a != PairWitness::none && witness.b != PairWitness::none;
+}
+
+// Finds where two solids are closest, by the cheapest of the functions above that succeeds. Returns nullopt if they
+// share a point. `witness` is as in solid.hpp, or null.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness);
-// Begins the search at a pair of vertices.
+// Does the same, but begins the search at the simplex `start`.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);
 
-// The exact squared distance; the distance, rounded once; and the sign of (distance - d).
+// Return the exact squared distance of the features; their distance, rounded once; and the sign of (distance - d).
 exact::SquaredDistance square_of(PosedHulls& hulls, const HullFeatures& found);
 double round_distance(PosedHulls& hulls, const HullFeatures& found);
 int compare_distance(PosedHulls& hulls, const HullFeatures& found, double d);

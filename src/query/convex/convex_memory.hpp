@@ -1,4 +1,4 @@
-// Scratch memory of the questions about two convex solids.
+// ConvexMemory is the scratch memory of the questions about two convex solids.
 #pragma once
 
 #include "exact/point/integer_frame.hpp"

@@ -1,4 +1,4 @@
-// Defines what a ConvexSolid holds beside what a Solid holds.
+// Defines the data that a ConvexSolid holds in addition to the data of a Solid.
 #pragma once
 
 #include "ecods/shape.hpp"

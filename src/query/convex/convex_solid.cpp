@@ -18,8 +18,7 @@ Hull make_hull(const Solid& solid) {
     const SolidAccess::Parts& parts = SolidAccess::parts(solid);
     const Shells& shells = SolidAccess::shells(solid);
     const Mesh& mesh = solid.mesh();
-    if (shells.first.empty()) throw no_interior(mesh.vertices().size());
-    // Features are named in the given mesh. If edges were split, `whole` is that mesh before the split.
+    // Features are named in the mesh as given. If edges were split, `whole` is this mesh, without the split.
     ProperMesh whole;
     if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // owned by the solid
     const Border border{&parts.proper,   &parts.edges,
@@ -31,7 +30,7 @@ Hull make_hull(const Solid& solid) {
 }  // namespace
 
 ConvexSolid::ConvexSolid(std::shared_ptr<const Mesh> mesh)
-    : Solid(std::move(mesh)), convex_parts_(std::make_unique<ConvexParts>()) {
+    : Solid(std::move(mesh), MeshForm::convex), convex_parts_(std::make_unique<ConvexParts>()) {
     convex_parts_->hull = make_hull(*this);
     convex_parts_->points = make_support_points(this->mesh(), convex_parts_->hull);
 }

@@ -14,9 +14,9 @@ class Check {
     Check(const Border& border, const Shells& shells, const Mesh& given)
         : border_(border), shells_(shells), given_(given), triangles_(border.proper->mesh->triangles()) {}
 
-    // Finds the flat edges, and fails at a dent. At an edge of four or more triangles, one triangle is beyond another's
-    // plane: otherwise the gaps on both sides of a wedge of the solid would be at least half a turn each, and leave
-    // nothing for the wedge.
+    // Finds the flat edges; throws if an edge is a dent. An edge of four or more triangles always has a dent: one
+    // triangle is beyond another's plane. Otherwise the gaps on both sides of a wedge of the solid would be at least
+    // half a turn each, and leave no angle for the wedge.
     std::vector<std::uint8_t> find_flat() const {
         std::vector<std::uint8_t> is_flat(border_.edges->count());
         for (std::size_t e = 0; e < is_flat.size(); ++e) {
@@ -37,8 +37,8 @@ class Check {
         return is_flat;
     }
 
-    // Fails if there is a second shell: of two shells that are convex each, and no cavities, one has a vertex outside
-    // the other.
+    // Throws if there is a second shell. If both of two shells are convex, and neither is a cavity, one of them has a
+    // vertex outside the other.
     void require_one_shell() const {
         if (shells_.first.size() == 1) return;
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -55,12 +55,12 @@ class Check {
     }
 
   private:
-    // A side of the named mesh's triangle that triangle i is a part of.
+    // Returns a side of the named mesh's triangle of which triangle i is a piece.
     SideRef named_side(std::uint32_t i) const noexcept { return {border_.origin({i, 0}).triangle, 0}; }
 
-    // A corner, beyond the plane of triangle `plane`, of the named mesh's triangle that `of` is a part of. `vertex` is
-    // a corner of `of` beyond that plane. If `vertex` is inside a side of the whole triangle, an end of that side is
-    // beyond the plane, too.
+    // Returns a corner, beyond the plane of triangle `plane`, of the named mesh's triangle of which `of` is a piece.
+    // `vertex` must be a corner of `of` beyond that plane. If `vertex` is inside a side of the whole triangle, an end
+    // of that side is beyond the plane, too.
     std::uint32_t beyond_corner(std::uint32_t of, std::uint32_t plane, std::uint32_t vertex) const noexcept {
         const std::uint32_t whole = border_.origin({of, 0}).triangle;
         const Triangle& named = border_.named->mesh->triangles()[whole];

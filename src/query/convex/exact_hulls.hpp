@@ -1,4 +1,4 @@
-// Gives the features of two hulls in exact integers.
+// Converts the points of two hulls' features to exact integers.
 #pragma once
 
 #include <array>
@@ -10,8 +10,9 @@
 
 namespace ecods::convex {
 
-// Calls use(points, features, limbs) with the vertices' points in the narrowest kernel that holds them. `features` are
-// those of the first three points and the next three, so N is at least 6; `limbs` holds all points.
+// Calls use(points, features, limbs) with the points of N >= 6 vertices, in the narrowest kernel that holds them.
+// `features` has the exact features of two triangles: the first three points and the next three. `limbs` has all N
+// points.
 template <std::size_t N, class Use>
 auto with_exact_features(PosedHulls& hulls, const std::array<HullVertex, N>& vertices, Use&& use) {
     static_assert(N >= 6);

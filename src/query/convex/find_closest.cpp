@@ -1,10 +1,10 @@
 // Searches exactly for the closest features. Each round finds the closest features of two simplices of vertices, in
-// integers. If no vertex is beyond them, they are those of the solids; otherwise the vertices furthest beyond go into
-// the simplices.
+// integers. If no vertex is beyond these features, they are the closest features of the solids. Otherwise the vertices
+// furthest beyond are added to the simplices.
 //
-// Each round the distance of the simplices decreases, as the point beyond brings them closer, so no pair of simplices
-// comes twice. The distance is computed as that of the simplices' triangles, which is larger only if one simplex is
-// inside the other: if it does not decrease, the solids share a point.
+// In each round the distance of the simplices decreases, because the added vertex brings them closer. So no pair of
+// simplices occurs twice. The distance is computed as the distance of the simplices' triangles, which is larger only if
+// one simplex is inside the other: if it does not decrease, the solids share a point.
 #include <algorithm>
 #include <span>
 
@@ -25,7 +25,7 @@ struct Measured {
     SquaredDistance square;
 };
 
-// Measures two triangles; the distance is zero if they share a point.
+// Sets `result` to the closest features and the squared distance of two triangles; zero if they share a point.
 void measure(PosedHulls& hulls, const std::array<std::array<std::uint32_t, 3>, 2>& triangles, Measured& result) {
     result.found = guess_of_triangles(hulls, triangles);
     with_exact_features(hulls, result.found.vertices(), [&](const auto& points, const auto& features, const auto&) {
@@ -41,7 +41,7 @@ void measure(PosedHulls& hulls, const std::array<std::array<std::uint32_t, 3>, 2
     });
 }
 
-// Measures all pairs of triangles of the sets, and keeps the least distance in `least`.
+// Measures all pairs of triangles of the sets. Sets `least` to the result with the least distance; `other` is scratch.
 void measure_all(PosedHulls& hulls, const VertexSets& sets, Measured& least, Measured& other) {
     bool is_first = true;
     for (std::size_t i = 0; i < sets.triangle_count(0); ++i) {
@@ -55,7 +55,7 @@ void measure_all(PosedHulls& hulls, const VertexSets& sets, Measured& least, Mea
     }
 }
 
-// Finds the extreme vertex of the first solid along the direction of features, or of the second against it.
+// Returns the extreme vertex of a solid along the direction of the features (for the second solid, against it).
 Furthest find_furthest(PosedHulls& hulls, const HullFeatures& found, std::size_t side) {
     return climb(hulls.hull(side), found.corners[side][0],
                  [&](std::uint32_t at, std::span<const Hull::Neighbor> neighbors) {
@@ -84,8 +84,8 @@ std::array<int, signs_at_once> find_signs(PosedHulls& hulls, const HullFeatures&
         });
 }
 
-// Rounds the distance from numbers of fixed precision. In the Minkowski difference, a vertex and a face, or two edges,
-// are in a plane; a vertex and an edge are on a line. Returns nullopt if the rounding is not certain.
+// Computes the distance from numbers of fixed precision, rounded once. Returns nullopt if the rounding is not certain.
+// In the Minkowski difference, a vertex and a face, or two edges, span a plane; a vertex and an edge span a line.
 std::optional<double> round_from_digits(PosedHulls& hulls, const HullFeatures& found) {
     const auto points = hulls.integers({found.of_side(0), found.of_side(1)});
     const auto at = [&](std::size_t a, std::size_t b) { return exact::difference(points.at[1][b], points.at[0][a]); };

@@ -1,5 +1,5 @@
-// Searches all vertices of a small hull, or other numbers, four at a time. Every function is inlined into code that is
-// compiled for the instruction set in use (simd/dispatch.hpp).
+// Searches all vertices of a small hull, or other numbers, four at a time. All functions here are inlined into code
+// that is compiled for the instruction set in use (simd/dispatch.hpp).
 #pragma once
 
 #include <algorithm>
@@ -17,14 +17,14 @@ namespace ecods::convex {
 using FourDoubles = Vec<double, static_cast<int>(SupportPoints::lanes)>;
 using FourIndices = MaskOf<FourDoubles>;
 
-// Calls use(lane) for the lanes that are set.
+// Calls use(lane) for each lane that is set in the mask.
 template <class Use>
 ECODS_ALWAYS_INLINE void for_each_lane(FourIndices mask, Use&& use) {
     auto bits = static_cast<std::uint64_t>(any_bits(mask & lane_bits<FourIndices>()));
     for (; bits != 0; bits &= bits - 1) use(static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
-// Computes the products of a vector with vertices, a group of four at a time.
+// Computes the dot products of a vector with the vertices, a group of four vertices at a time.
 struct Heights {
     FourDoubles x, y, z;
 
@@ -40,7 +40,7 @@ struct Heights {
     }
 };
 
-// Keeps the greatest number of each lane and its index, the first one of equal numbers. NaN is skipped.
+// Keeps, for each lane, the greatest number and its index. The first of equal numbers is kept; NaN is skipped.
 struct Best {
     FourDoubles most = broadcast<FourDoubles>(-std::numeric_limits<double>::infinity());
     FourIndices of{};
@@ -50,7 +50,7 @@ struct Best {
         most = select(is_more, h, most);
         of = (is_more & at) | (~is_more & of);
     }
-    // The index of the greatest number of all lanes.
+    // Returns the index of the greatest number of all lanes. Call it last: it overwrites the lanes.
     ECODS_ALWAYS_INLINE std::uint32_t of_greatest() noexcept {
         take(shuffle<2, 3, 0, 1>(most), shuffle<2, 3, 0, 1>(of));
         take(shuffle<1, 0, 3, 2>(most), shuffle<1, 0, 3, 2>(of));
@@ -58,8 +58,8 @@ struct Best {
     }
 };
 
-// The vertex with the greatest product with a vector, in doubles; vertex 0 if all products are NaN. Even and odd groups
-// are two independent chains of comparisons, which run in parallel.
+// Returns the vertex with the greatest dot product with a vector, in doubles; vertex 0 if all products are NaN. Even
+// and odd groups form two independent chains of comparisons, which run in parallel.
 ECODS_ALWAYS_INLINE std::uint32_t furthest(const double* groups, std::size_t count,
                                            const exact::Point& along) noexcept {
     constexpr std::size_t lanes = SupportPoints::lanes;
@@ -79,7 +79,7 @@ ECODS_ALWAYS_INLINE std::uint32_t furthest(const double* groups, std::size_t cou
     return even.of_greatest();
 }
 
-// The index of the greatest of some numbers, which are read four at a time.
+// Returns the index of the greatest number. The numbers are read four at a time.
 ECODS_ALWAYS_INLINE std::uint32_t index_of_greatest(const double* numbers, std::size_t count) noexcept {
     Best best;
     FourIndices at{0, 1, 2, 3};
@@ -90,8 +90,8 @@ ECODS_ALWAYS_INLINE std::uint32_t index_of_greatest(const double* numbers, std::
     return best.of_greatest();
 }
 
-// The number of products that are not less than `least`, in all places of the groups, the copies of the last vertex
-// included. NaN counts as not less.
+// Returns the number of dot products that are at least `least` or NaN. All places of the groups count, also the copies
+// of the last vertex.
 ECODS_ALWAYS_INLINE std::size_t count_not_below(const double* groups, std::size_t count, const exact::Point& along,
                                                 double least) noexcept {
     constexpr std::size_t lanes = SupportPoints::lanes;
@@ -107,7 +107,7 @@ ECODS_ALWAYS_INLINE std::size_t count_not_below(const double* groups, std::size_
     return count / 3 - static_cast<std::size_t>(below);
 }
 
-// Lists the vertices whose products are NaN, or less than the greatest one by at most `below`.
+// Appends to `list` the vertices whose dot products are NaN, or less than the greatest product by at most `below`.
 ECODS_ALWAYS_INLINE void list_furthest(const SupportPoints& points, const exact::Point& along, double below,
                                        std::vector<std::uint32_t>& list) {
     const double* const groups = points.groups.data();

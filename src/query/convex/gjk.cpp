@@ -14,15 +14,16 @@ using exact::minus;
 using exact::negated;
 using exact::times;
 
-// Limit of the rounds: more than any pair needs whose search ends by itself. After that the guess is as good as
-// another.
+// Limit of the number of rounds. No pair needs so many if its search ends by itself; otherwise the guess does not get
+// better any more.
 constexpr int rounds_max = 200;
 
-// The simplex's point nearest to the origin, and the vertices of the simplex that it is a combination of.
+// Holds the simplex's point v that is nearest to the origin, its squared distance, and the vertices of which v is a
+// combination.
 struct Nearest {
     Point v{};
     double square = std::numeric_limits<double>::infinity();
-    unsigned kept = 0;  // a bit for each vertex
+    unsigned kept = 0;  // set of these vertices, as bits
 
     ECODS_ALWAYS_INLINE void take(const Point& point, unsigned bits) noexcept {
         const double s = dot(point, point);
@@ -48,7 +49,8 @@ ECODS_ALWAYS_INLINE void find_on_segment(const Simplex& s, int i, int j, Nearest
     nearest.take(minus(a, times(u, -t / uu)), bit(i) | bit(j));
 }
 
-// Finds the nearest point by the regions of a triangle (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+// Offers to `nearest` the triangle's point nearest to the origin, found by the regions of the triangle (Ericson,
+// Real-Time Collision Detection, 2005, 5.1.5).
 ECODS_ALWAYS_INLINE void find_on_triangle(const Simplex& s, int i, int j, int k, Nearest& nearest) noexcept {
     const Point& a = s.points[static_cast<std::size_t>(i)];
     const Point& b = s.points[static_cast<std::size_t>(j)];
@@ -73,9 +75,9 @@ ECODS_ALWAYS_INLINE void find_on_triangle(const Simplex& s, int i, int j, int k,
     nearest.take(times(n, dot(a, n) / nn), bit(i) | bit(j) | bit(k));
 }
 
-// Finds the nearest point of the faces that have, or may have, the origin on their outer side; if there is none, the
-// origin is inside. The face without the last vertex needs no test: the nearest point was in it, and the last vertex
-// was added on the origin's side.
+// Offers to `nearest` the nearest points of the faces that have, or may have, the origin on their outer side; if there
+// is no such face, the origin is inside. The face without the last vertex needs no test: the nearest point was in this
+// face, and the last vertex was added on the origin's side of it.
 ECODS_ALWAYS_INLINE void find_in_tetrahedron(const Simplex& s, Nearest& nearest) noexcept {
     bool is_inside = true;
     for (int l = 2; l >= 0; --l) {
@@ -127,7 +129,8 @@ ECODS_ALWAYS_INLINE void add(Simplex& s, const PosedHulls& hulls, const std::arr
     s.points[at] = minus(hulls.rounded(1, pair[1]), hulls.rounded(0, pair[0]));
 }
 
-// Runs GJK; support(side, direction, start) gives support vertices.
+// Runs GJK, and leaves the result in `simplex`. support(side, direction, start) must return a support vertex of a
+// solid.
 template <class Support>
 ECODS_ALWAYS_INLINE void descend(Simplex& simplex, const PosedHulls& hulls, const Support& support) noexcept {
     Nearest nearest = find_nearest(simplex);

@@ -1,4 +1,5 @@
-// Describes the vertices, edges and faces of a convex solid, independent of the triangles and edge pieces of its mesh.
+// Describes the vertices, edges and faces of a convex solid. They do not depend on how its mesh divides faces into
+// triangles and edges into pieces.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace ecods::convex {
 
-// Vertices, edges and faces are in ascending order of their names, so that a lesser index means a lesser name.
+// Vertices, edges and faces are each sorted by their names, so a lesser index means a lesser name.
 struct Hull {
     struct Edge {
         Feature name;
@@ -21,8 +22,8 @@ struct Hull {
     };
     struct Face {
         Feature name;
-        std::uint32_t first;  // index in face_cycles
-        std::uint32_t count;  // number of vertices, which is that of edges
+        std::uint32_t first;  // index of its first vertex in face_cycles
+        std::uint32_t count;  // number of vertices, and of edges
     };
     struct Neighbor {
         std::uint32_t vertex;
@@ -30,13 +31,14 @@ struct Hull {
     };
 
     std::vector<Feature> vertex_names;         // by vertex
-    std::vector<std::uint32_t> mesh_vertices;  // by vertex: its index in the Solid's proper mesh
+    std::vector<std::uint32_t> mesh_vertices;  // by vertex: index in the Solid's proper mesh
     std::vector<Edge> edges;
     std::vector<Face> faces;
 
-    // By face: its vertices counterclockwise, seen from outside, each with the edge to the next one.
+    // By face: its vertices counterclockwise, seen from outside. Each has the edge that leads to the next vertex.
     std::vector<Neighbor> face_cycles;
-    // By vertex v: the ends of its edges, in no promised order, from neighbors_first[v] to neighbors_first[v + 1].
+    // By vertex v: the other ends of its edges, in no promised order, from neighbors_first[v] to neighbors_first[v +
+    // 1].
     std::vector<Neighbor> neighbors;
     std::vector<std::uint32_t> neighbors_first;
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// An edge of the convex set, or a triangle's side that is a piece of one. It runs between two vertices of the mesh,
-// with a face on its left, seen from outside, and one on its right.
+// An edge of the convex set, or a triangle's side that is a piece of such an edge. It runs between two vertices of the
+// mesh, with one face on its left and one on its right, seen from outside.
 struct Piece {
     SideRef name;
     std::uint32_t from, to;
@@ -48,8 +48,8 @@ class Builder {
         return i;
     }
 
-    // Joins triangles that meet in flat edges to faces, by union-find. The root is a face's least triangle, so faces
-    // come in the order of their names.
+    // Joins triangles that meet in flat edges into faces, by union-find. The root is the least triangle of the face, so
+    // faces are found in the order of their names.
     void join_faces() {
         parents_.resize(triangles_.size());
         std::iota(parents_.begin(), parents_.end(), 0);
@@ -87,8 +87,8 @@ class Builder {
         }
     }
 
-    // Joins the pieces between the same two faces to one edge: two faces of a convex set share at most one edge.
-    // compare_points orders points along a line.
+    // Joins all pieces between the same two faces into one edge, because two faces of a convex set share at most one
+    // edge. Its ends are found by compare_points(), which orders the points of a line along the line.
     void join_pieces() {
         std::ranges::sort(pieces_, {}, [](const Piece& p) { return std::tuple(p.between(), p.name); });
         for (std::size_t i = 0; i < pieces_.size();) {
@@ -110,8 +110,8 @@ class Builder {
         std::ranges::sort(edges_, {}, &Piece::name);
     }
 
-    // Names each vertex by its least triangle and corner: a vertex of the set is inside no side, so every triangle at
-    // it has it as a corner.
+    // Names each vertex by its least triangle and corner. A vertex of the set is never inside a side, so each triangle
+    // that contains the vertex has it as a corner.
     void name_vertices() {
         vertex_of_.assign(points_.size(), none);
         constexpr std::uint32_t unnamed = none - 1;
@@ -142,7 +142,7 @@ class Builder {
         }
     }
 
-    // Walks around each face from its least vertex, with the face on the left of every edge.
+    // Walks around each face, beginning at its least vertex, with the face on the left of every edge.
     void add_cycles() {
         std::uint32_t first = 0;
         for (const Hull::Edge& edge : hull_.edges) {
@@ -152,7 +152,8 @@ class Builder {
             face.first = first;
             first += face.count;
         }
-        // By face its edges, in any order; then, for one face at a time, by vertex the edge that leaves it.
+        // edges_of lists the edges of each face, in any order. leaves[v] is the edge of the current face that begins at
+        // vertex v.
         std::vector<std::uint32_t> edges_of(first), filled(hull_.faces.size(), 0), leaves(hull_.vertex_count(), none);
         for (std::uint32_t e = 0; e < hull_.edges.size(); ++e) {
             for (const std::uint32_t face : hull_.edges[e].faces)

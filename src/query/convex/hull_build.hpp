@@ -13,23 +13,23 @@
 
 namespace ecods::convex {
 
-// The triangles that bound a solid. Two edges are either one edge or share at most a point.
+// Border holds the triangles that bound a solid. Any two of their sides are the same edge or share at most a point.
 struct Border {
     const ProperMesh* proper;
     const MeshEdges* edges;
-    // By triangle: true if its corners turn right, seen from outside. Empty if none do.
+    // By triangle: true if its corners turn right, seen from outside. Empty if no triangle's do.
     std::span<const std::uint8_t> faces_in;
 
-    // The mesh in which features are named, and by triangle of `proper` its origin in that mesh. `origins` is empty if
-    // both are the same mesh.
+    // `named` is the mesh in which features are named. `origins` gives, by triangle of `proper`, the triangle of
+    // `named` of which it is a piece; it is empty if both are the same mesh.
     const ProperMesh* named;
     std::span<const TriangleOrigin> origins;
 
-    exact::VertexSigns signs;  // signs of vertices of `proper`
+    exact::VertexSigns signs;  // of the vertices of `proper`
 
     bool turns_right(std::uint32_t triangle) const noexcept { return !faces_in.empty() && faces_in[triangle] != 0; }
-    // The side of a triangle of `named` that contains `side`. Its corner is TriangleOrigin::none if `side` is inside
-    // the triangle.
+    // Returns the side of a triangle of `named` that contains `side`. If `side` is inside that triangle, the corner of
+    // the result is TriangleOrigin::none.
     SideRef origin(const SideRef& side) const noexcept {
         if (origins.empty()) return side;
         const TriangleOrigin& of = origins[side.triangle];
@@ -37,16 +37,16 @@ struct Border {
     }
 };
 
-// The corner opposite to a side of a triangle.
+// Returns the corner opposite to a side of the triangle.
 inline std::uint32_t opposite_corner(const Triangle& triangle, std::uint32_t side) noexcept {
     return triangle[(side + 2) % 3];
 }
 
-// The sign of a vertex's position relative to a triangle's plane: positive outside. Exact.
+// Returns the sign of the vertex's position relative to the triangle's plane: positive outside the solid. Exact.
 int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t vertex) noexcept;
 
-// Builds the hull. The solid must be convex. By edge, `is_flat` is true if its two triangles are in one plane. Cost: n
-// log n.
+// Builds the hull of a solid, which must be convex. `is_flat` says, by edge, whether its two triangles are in one
+// plane. Cost: n log n.
 Hull build_hull(const Border& border, std::span<const std::uint8_t> is_flat);
 
 }  // namespace ecods::convex

@@ -1,4 +1,4 @@
-// Names vertices, edges and faces of a hull, and finds which of them is extreme along a direction.
+// Names vertices, edges and faces of a hull, and finds the feature that is extreme along a direction.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace ecods::convex {
 
-// A vertex, an edge or a face of a hull, by its index.
+// Refers to a vertex, an edge or a face of a hull, by its index.
 struct HullFeature {
     Feature::Kind kind = Feature::Kind::vertex;
     std::uint32_t index = 0;
@@ -21,17 +21,17 @@ struct HullFeature {
 
 Feature name_of(const Hull& hull, const HullFeature& feature) noexcept;
 
-// The edge between two vertices, which must be neighbors.
+// Returns the edge between two vertices, which must be neighbors.
 std::uint32_t edge_of(const Hull& hull, std::uint32_t from, std::uint32_t to) noexcept;
-// The face that contains three vertices, which must not be on one line; ~0 if there is none.
+// Returns the face that contains three vertices, which must not be on one line; ~0 if there is no such face.
 std::uint32_t face_of(const Hull& hull, const std::array<std::uint32_t, 3>& vertices) noexcept;
 
 inline bool is_edge_of(const Hull& hull, std::uint32_t edge, std::uint32_t face) noexcept {
     return hull.edges[edge].faces[0] == face || hull.edges[edge].faces[1] == face;
 }
 
-// The edges of an extreme vertex that are perpendicular to the direction along which it is extreme: at most two, of one
-// face.
+// Holds those edges of an extreme vertex that are perpendicular to the direction along which the vertex is extreme.
+// There are at most two, both of one face.
 struct LevelEdges {
     std::size_t count = 0;
     std::array<std::uint32_t, 2> edges{};
@@ -40,23 +40,25 @@ struct LevelEdges {
         ECODS_ASSERT(count < 2);
         if (count < 2) edges[count++] = edge;
     }
-    // The vertex, the edge or the face that is as far along the direction as the vertex.
+    // Returns the vertex, edge or face whose points are all as far along the direction as the vertex.
     HullFeature feature(const Hull& hull, std::uint32_t vertex) const noexcept;
 };
 
-// A vertex that is extreme along a direction, and its edges perpendicular to the direction.
+// Holds a vertex that is extreme along a direction, and its edges that are perpendicular to the direction.
 struct Furthest {
     std::uint32_t vertex;
     LevelEdges level;
 };
 
-// The number of neighbors whose signs a climb requests at once.
+// Number of neighbors whose signs a climb computes at once.
 inline constexpr std::size_t signs_at_once = 6;
 
-// Moves to a neighbor that is further along a direction, and returns true. If there is none, stores in at.level the
-// edges to neighbors that are as far: at most two in a convex set, as they are on one face. signs(vertex, neighbors)
-// returns the signs of how much further each neighbor is than the vertex, as an array of signs_at_once; after the first
-// positive sign the rest may be anything.
+// Moves `at` to a neighbor that is further along a direction, and returns true. If there is no such neighbor, returns
+// false, and sets at.level to the edges to neighbors that are as far: at most two in a convex set, as they are on one
+// face.
+//
+// signs(vertex, neighbors) must return, as an array of signs_at_once, the sign of how much further each neighbor is
+// than the vertex. Signs after the first positive one are ignored.
 template <class Signs>
 bool climb_once(const Hull& hull, Furthest& at, const Signs& signs) {
     at.level = {};
@@ -75,8 +77,8 @@ bool climb_once(const Hull& hull, Furthest& at, const Signs& signs) {
     return false;
 }
 
-// Climbs to an extreme vertex. It ends because each step goes further. In a convex set a vertex is extreme if no
-// neighbor is beyond it.
+// Climbs from `start` to an extreme vertex. The climb ends because each step goes further. In a convex set, a vertex is
+// extreme if no neighbor is beyond it.
 template <class Signs>
 Furthest climb(const Hull& hull, std::uint32_t start, const Signs& signs) {
     Furthest result{start, {}};

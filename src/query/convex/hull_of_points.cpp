@@ -1,9 +1,9 @@
 // Implements Quickhull (Barber, Dobkin and Huhdanpaa, The quickhull algorithm for convex hulls, 1996) with exact signs.
 //
-// A point is added by replacing the triangles that it is strictly beyond by triangles that join their rim to it.
+// To add a point, the triangles that it is strictly beyond are replaced by triangles that join their rim to the point.
 // Triangles whose plane contains the point stay, so faces of many triangles grow triangle by triangle. No new triangle
 // has zero area: a point on the line of a rim edge would be in the planes of both triangles of the edge, but it is
-// beyond one of them. Doubles choose the next point, which affects only the time.
+// strictly beyond one of them. Doubles choose the next point, which affects only the time.
 #include "query/convex/hull_of_points.hpp"
 
 #include <algorithm>
@@ -42,15 +42,15 @@ class QuickHull {
   private:
     struct Facet {
         Triangle corners;                        // counterclockwise, seen from outside
-        std::array<std::uint32_t, 3> neighbors;  // over the side from a corner to the next one
-        std::uint32_t first = nothing;           // first point of the list of points beyond it
+        std::array<std::uint32_t, 3> neighbors;  // by side: the facet beyond it
+        std::uint32_t first = nothing;           // first point of the list of points that are beyond it
         bool is_alive = true;
         bool is_visible = false;
     };
 
     struct RimEdge {
         std::uint32_t from, to;
-        std::uint32_t behind;  // facet that stays
+        std::uint32_t behind;  // the facet beyond this edge, which stays
     };
 
     const Vec3& at(std::uint32_t i) const noexcept { return points_[i]; }
@@ -60,7 +60,8 @@ class QuickHull {
         return orient3d(at(a), at(b), at(c), at(point)) == Sign::positive;
     }
 
-    // The height of a point above a plane, times twice the triangle's area, in doubles; any number if it overflows.
+    // Returns the height of p above the plane of a, b, c, times twice the triangle's area, in doubles. If it overflows,
+    // returns any number.
     static double height(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) noexcept {
         return (b - a).cross(c - a).dot(p - a);
     }
@@ -73,7 +74,8 @@ class QuickHull {
         }
     }
 
-    // The candidate with the greatest measure if it is good; otherwise the first candidate that is.
+    // Returns the candidate with the greatest measure if good() is true for it; otherwise the first candidate for which
+    // good() is true; nullopt if there is none.
     template <class Measure, class Good>
     std::optional<std::uint32_t> find(Measure&& measure, Good&& good) const {
         if (candidates_.empty()) return std::nullopt;
@@ -110,7 +112,8 @@ class QuickHull {
         return {a, b, c, d};
     }
 
-    // Begins with the simplex. Its triangle 0, 1, 2 is turned outwards: corner 3 is not beyond it.
+    // Begins with the facets of the simplex `s`. Its triangle 0, 1, 2 must be turned outwards: corner 3 is not beyond
+    // it.
     void begin(const std::array<std::uint32_t, 4>& s) {
         facets_.push_back({{s[0], s[1], s[2]}, {1, 2, 3}});
         facets_.push_back({{s[1], s[0], s[3]}, {0, 3, 2}});
@@ -121,7 +124,8 @@ class QuickHull {
         }
     }
 
-    // Puts a point into the list of the first facet, from `first_facet` on, that it is beyond, if there is one.
+    // Puts the point into the list of the first facet that it is beyond, from `first_facet` on, if there is such a
+    // facet.
     void assign(std::uint32_t point, std::size_t first_facet) {
         for (std::size_t i = first_facet; i < facets_.size(); ++i) {
             if (!is_beyond(facets_[i], point)) continue;
@@ -131,7 +135,7 @@ class QuickHull {
         }
     }
 
-    // Removes the furthest point of a facet's list, as far as doubles know, and returns it.
+    // Removes from a facet's list the point that is furthest, as far as doubles know, and returns it.
     std::uint32_t take_furthest(std::uint32_t of) {
         Facet& facet = facets_[of];
         const Vec3 &a = at(facet.corners[0]), &b = at(facet.corners[1]), &c = at(facet.corners[2]);
@@ -149,9 +153,9 @@ class QuickHull {
         return best;
     }
 
-    // Adds a point that is beyond a facet. The points in the lists of removed facets are beyond a new facet, or inside:
-    // the segment to such a point from inside a removed facet is beyond the old facet all the way, so it leaves the new
-    // hull through a new facet.
+    // Adds a point that is beyond the facet `beyond`. The points in the lists of removed facets are then beyond a new
+    // facet, or inside the hull. Proof: the segment from a point inside a removed facet to such a point is beyond that
+    // facet all the way, so it leaves the new hull through a new facet.
     void add(std::uint32_t point, std::uint32_t beyond) {
         find_visible(point, beyond);
         const std::size_t first_new = facets_.size();
@@ -183,8 +187,8 @@ class QuickHull {
         }
     }
 
-    // Lists the facets that a point is beyond, and their rim. The facets are connected over edges, and the rim is one
-    // cycle.
+    // Sets visible_ to the facets that the point is beyond, and rim_ to their rim. The facet `beyond` must be one of
+    // them. They are connected over edges, and the rim is one cycle.
     void find_visible(std::uint32_t point, std::uint32_t beyond) {
         visible_.assign(1, beyond);
         rim_.clear();
@@ -206,11 +210,11 @@ class QuickHull {
 
     std::span<const Vec3> points_;
     std::vector<std::uint32_t> candidates_;  // points without repeated coordinates
-    std::vector<std::uint32_t> next_;        // by point: the next one in its list
+    std::vector<std::uint32_t> next_;        // by point: next point in its list
     std::vector<Facet> facets_;
     std::vector<std::uint32_t> visible_;
     std::vector<RimEdge> rim_;
-    std::vector<std::uint32_t> starts_;  // by point: the newest facet whose first side starts there
+    std::vector<std::uint32_t> starts_;  // by point: newest facet whose first side begins there
 };
 
 }  // namespace

@@ -1,7 +1,9 @@
-// Chooses which of the pairs of features at exactly the least distance is named, by the rule of ClosestPoints.
+// Chooses the pair of features that is named if several pairs are at exactly the least distance, by the rule of
+// ClosestPoints.
 //
-// All pairs of closest points of two convex sets differ by one vector, so they are on the parts that are extreme along
-// it, one part of each solid. The features to choose from are these parts and the features that border them.
+// All pairs of closest points of two convex sets differ by the same vector, so they are on the features of the two
+// solids that are extreme along this vector. The features to choose from are these two and the features that border
+// them.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,10 +26,10 @@ using exact::times;
 using exact::FeatureKind;
 using Kind = Feature::Kind;
 
-// A feature of each solid.
+// A feature of each of the two solids.
 using Parts = std::array<HullFeature, 2>;
 
-// The vertices of a feature; of a face the first three.
+// Returns the vertices of a feature; for a face, its first three.
 std::array<std::uint32_t, 3> corners_of(const Hull& hull, const HullFeature& part) noexcept {
     if (part.kind == Kind::vertex) return {part.index, part.index, part.index};
     if (part.kind == Kind::edge) {
@@ -44,7 +46,7 @@ HullFeatures features_of(const PosedHulls& hulls, const Parts& parts) noexcept {
             exact::features_of_counts(count(0), count(1))};
 }
 
-// Calls use(feature) for each feature of a kind that is the given feature, or borders it.
+// Calls use(feature) for each feature of the given kind that is `part` or borders `part`.
 template <class Use>
 void for_each_of(const Hull& hull, const HullFeature& part, Kind kind, Use&& use) {
     if (part.kind == kind) return use(part);
@@ -70,7 +72,7 @@ class Naming {
         }
     }
 
-    // Tries the kinds in the order of the rule. The first kind with a pair of features at the least distance decides.
+    // Tries the kinds of pairs in the order of the rule. The first kind that has a pair at the least distance decides.
     Parts find() {
         try_all(Kind::vertex, Kind::vertex);
         if (has_best_) return best_;
@@ -100,12 +102,12 @@ class Naming {
     FeatureNames names_of(const Parts& parts) const noexcept {
         return {ClosestKind{}, name_of(hulls_.hull(0), parts[0]), name_of(hulls_.hull(1), parts[1])};
     }
-    // True if parts precede the best parts of their kind.
+    // True if `parts` precede best_, which are of the same kinds, or if there are no best_ yet.
     bool is_first(const Parts& parts) const noexcept {
         return !has_best_ || rank(names_of(parts)) < rank(names_of(best_));
     }
 
-    // True unless doubles exclude that the parts have the least distance.
+    // True unless doubles prove that the distance of `parts` exceeds the least distance.
     bool may_hold(const Parts& parts) {
         const Kind greater = std::max(parts[0].kind, parts[1].kind), lesser = std::min(parts[0].kind, parts[1].kind);
         if (greater == Kind::vertex) return may_hold_vertices(parts);
@@ -113,7 +115,7 @@ class Naming {
         return greater == Kind::edge ? may_hold_vertex_and_edge(parts) : is_over(parts);
     }
 
-    // True if the parts have exactly the least distance, with points inside them.
+    // True if `parts` have exactly the least distance, and their closest points are inside them.
     bool holds(const Parts& parts) {
         const HullFeatures found = features_of(hulls_, parts);
         return with_exact_features(hulls_, found.vertices(),
@@ -128,15 +130,16 @@ class Naming {
                                    });
     }
 
-    // Rounded points are off by delta on each axis, and the norm of their difference by a factor near 1.
+    // Compares with a margin: rounded points are off by delta on each axis, and the norm of their difference by a
+    // factor near 1.
     bool may_hold_vertices(const Parts& parts) const noexcept {
         const Point w = minus(hulls_.rounded(1, parts[1].index), hulls_.rounded(0, parts[0].index));
         const double length = std::sqrt(dot(w, w));
         return !(length * (1 - 0x1p-48) - 4 * hulls_.delta() > limit_ * (1 + 0x1p-48));
     }
 
-    // Measures the vertex from a point on the rounded edge's line. Rounding its parameter moves that point by some
-    // roundings of the vectors' lengths.
+    // Measures the distance of the vertex from a point on the rounded edge's line. The rounded parameter moves this
+    // point by some roundings of the vectors' lengths, which the margin covers.
     bool may_hold_vertex_and_edge(const Parts& parts) const noexcept {
         const std::size_t of = parts[0].kind == Kind::edge ? 0 : 1;
         const auto& ends = hulls_.hull(of).edges[parts[of].index].ends;
@@ -149,7 +152,8 @@ class Naming {
         return !(std::sqrt(dot(x, x)) - margin > limit_ * (1 + 0x1p-48));
     }
 
-    // True if a vertex projects into a face: it is left of all sides, seen along the normal. Exact.
+    // Returns true if the vertex projects to a point inside the face: it is left of all the face's sides, seen along
+    // the normal. Exact.
     bool is_over(const Parts& parts) {
         constexpr std::size_t at_once = 7;
         const std::size_t of = parts[0].kind == Kind::face ? 0 : 1;
@@ -181,7 +185,8 @@ class Naming {
     PosedHulls& hulls_;
     Parts parts_;
     exact::SquaredDistance least_;
-    double limit_ = std::numeric_limits<double>::infinity();  // rounded distance, in the unit of rounded points
+    double limit_ =
+        std::numeric_limits<double>::infinity();  // the rounded least distance, in the unit of rounded points
     Parts best_;
     bool has_best_ = false;
 };

@@ -23,7 +23,7 @@ double largest_magnitude(const Mat3& R) noexcept {
     return R.cwiseAbs().maxCoeff();
 }
 
-// The difference t - t0 = x 2^exponent, with x rounded once and below 2 in magnitude.
+// Represents a difference t - t0 as x 2^exponent, with x rounded once and below 2 in magnitude.
 struct ScaledDifference {
     double x = 0;
     int exponent = -exact::BitRange::none;
@@ -31,7 +31,7 @@ struct ScaledDifference {
 
 ScaledDifference subtract(double t, double t0) noexcept {
     const auto difference = exact::subtract(exact::decode(t), exact::decode(t0));
-    if (!difference) {  // One is more than 2^60 times as large as the other.
+    if (!difference) {  // one is more than 2^60 times as large as the other
         const int exponent = std::max(exponent_above(t), exponent_above(t0));
         return {times_power(t, -exponent) - times_power(t0, -exponent), exponent};
     }
@@ -39,7 +39,7 @@ ScaledDifference subtract(double t, double t0) noexcept {
     const exact::Uint128 size =
         difference->m < 0 ? -static_cast<exact::Uint128>(difference->m) : static_cast<exact::Uint128>(difference->m);
     const int shift = std::max(0, exact::bit_width(size) - 62);
-    // The digits shifted out are less than 2^-61 of the rest.
+    // The digits that are shifted out are less than 2^-61 of the other digits.
     const auto digits = static_cast<std::int64_t>(size >> shift);
     const double x = static_cast<double>(digits) * 0x1p-62;
     return {difference->m < 0 ? -x : x, difference->e + shift + 62};
@@ -64,8 +64,8 @@ PosedHulls::PosedHulls(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
     find_orientation(1);
 }
 
-// Keeps points in their own unit if sizes are ordinary: multiplies entries of R by the power of two that the mesh's
-// points were divided by. Returns false if sizes are not ordinary.
+// Leaves points in their own unit, and returns true, if sizes are ordinary. The entries of R are then multiplied by the
+// power of two by which the mesh's points were divided. Returns false if sizes are not ordinary.
 bool PosedHulls::scale_plainly() noexcept {
     double largest = 0;
     for (Body& body : bodies_) {
@@ -87,8 +87,8 @@ bool PosedHulls::scale_plainly() noexcept {
     return true;
 }
 
-// Scales points of any size: reads all numbers from their bits, and divides them by a power of two that leaves the
-// largest one below 2.
+// Scales points of any size: decodes all numbers from their bits, and divides them by a power of two that leaves the
+// largest number below 2.
 void PosedHulls::scale_any() noexcept {
     std::array<ScaledDifference, 3> difference;
     int exponent = -exact::BitRange::none;
@@ -111,9 +111,9 @@ void PosedHulls::scale_any() noexcept {
     }
 }
 
-// Bounds errors as in exact/point/point.hpp, for factors that are products of an entry of R, or a coordinate, and a
-// power of two. Such a product may underflow: an entry's by less than 2^-1022 times 2^300, others by less than 2^-900
-// (times_power), each times another factor of at most 2^100. All of that is below 2^-700.
+// Bounds errors as in exact/point/point.hpp. Here each factor is a product of an entry of R, or of a coordinate, and a
+// power of two. Such a product may underflow: for an entry by less than 2^-1022 times 2^300, for others by less than
+// 2^-900 (times_power). It is multiplied by another factor of at most 2^100. All of this together is below 2^-700.
 void PosedHulls::find_bounds() noexcept {
     delta_ = 0;
     for (Body& body : bodies_) {
@@ -130,9 +130,9 @@ void PosedHulls::find_bounds() noexcept {
     for (Body& body : bodies_) body.size += 4 * delta_;
 }
 
-// Decides the sign in doubles if it is certain, which it is above 6 u' times the sum of the products' magnitudes
-// (exact/sign/difference_signs.hpp, for three vectors in place of three differences). Another u' covers underflow,
-// which is below 2^-500 with factors of at most 2^100.
+// Computes the sign in doubles. It is certain if the determinant exceeds 6 u' times the sum of the products' magnitudes
+// (exact/sign/difference_signs.hpp, for three vectors instead of three differences). Another u' covers underflow, which
+// is below 2^-500 with factors of at most 2^100. If the sign is not certain, computes it exactly.
 Sign orientation(const std::array<Point, 3>& rows, const Pose& pose) {
     const auto& [r, s, t] = rows;
     const auto minor = [&](std::size_t i, std::size_t j) { return s[i] * t[j] - s[j] * t[i]; };
@@ -176,12 +176,14 @@ std::uint32_t PosedHulls::support(std::size_t side, const Point& direction) cons
     return climb(body, along, body.points->extremes[2 * axis + (along[axis] > 0)]);
 }
 
-// Derives the margin. Let u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where `sum` bounds
-// what is added up for any coordinate of a point, and let |n|_1 be the sum of the magnitudes of n. A height has six
-// roundings, and is off by at most 6.1 u' sum |n|_1. Two heights, and the rounding of what they are compared with, are
-// off by less than 13.4 u' sum |n|_1 < 3.2 D |n|_1. The error of n changes the difference of two heights by
-// 3 error size(side). The factor 3.6 covers the roundings of the margin as well, and underflow: that is below 2^-900,
-// and D must be at least 2^-200, as |n|_1 and the errors of its vectors then are 2^-600 or more.
+// Derivation of the margin. Let u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where `sum`
+// bounds the magnitudes added up for any coordinate of a point. Let |n|_1 be the sum of the magnitudes of n. A height
+// has six roundings, and is off by at most 6.1 u' sum |n|_1. Two heights, and the rounding of the number with which
+// they are compared, are off by less than 13.4 u' sum |n|_1 < 3.2 D |n|_1. The error of n changes the difference of two
+// heights by 3 error size(side). The factor 3.6 also covers the roundings of the margin, and underflow: that is below
+// 2^-900, and D must be at least 2^-200, as |n|_1 and the errors of its vectors then are 2^-600 or more.
+// Claim: verify/proofs/difference_signs.py
+// Claim: verify/proofs/hull_signs.py
 auto PosedHulls::heights(std::size_t side, const Point& n, double error) const noexcept -> Heights {
     const Body& body = bodies_[side];
     const double margin = 3.6 * (error * body.size + delta_ * exact::sum_of_magnitudes(n));
@@ -197,7 +199,8 @@ bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double erro
     if (!is_scanned(side)) return false;
     const Heights heights = this->heights(side, n, error);
     const std::vector<double>& groups = heights.points->groups;
-    // The corners are level with each other, and so are the copies of the last vertex if it is one of them.
+    // The corners are level with each other. If the last vertex is one of them, its copies are level, too, and are
+    // counted.
     std::size_t expected = corners.size();
     for (const std::uint32_t vertex : corners) {
         if (vertex == last_vertex(bodies_[side])) expected += groups.size() / 3 - heights.points->vertex_count;
@@ -206,8 +209,8 @@ bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double erro
     return dispatch<count_not_below>(groups.data(), groups.size(), heights.along, least) == expected;
 }
 
-// Climbs from vertex to vertex as long as the product increases. The product has one value for each vertex, so the
-// climb ends.
+// Climbs from vertex to vertex while the dot product increases. The product has one value for each vertex, so the climb
+// ends.
 std::uint32_t PosedHulls::climb(const Body& body, const Point& along, std::uint32_t start) noexcept {
     std::uint32_t at = start;
     double most = exact::dot(along, body.points->at(at));
@@ -254,7 +257,8 @@ PosedHulls::Integers PosedHulls::integers(const std::array<std::span<const std::
     return result;
 }
 
-// Finds the points as short integers if they are in their own unit, so that the offset is t - t0.
+// Computes the points as short integers, and returns true, if they fit. Points must be in their own unit (exponent_ is
+// 0), so that the offset is t - t0.
 bool PosedHulls::find_short(const std::array<std::span<const std::uint32_t>, 2>& vertices,
                             Integers& result) const noexcept {
     if (exponent_ != 0) return false;

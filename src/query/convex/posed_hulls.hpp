@@ -1,10 +1,10 @@
 // Prepares two posed convex solids for questions about the pair: support points by searches in doubles, rounded points
-// with a proven bound, and exact points.
+// with a proven error bound, and exact points.
 //
 // All points are relative to the translation of the first solid's pose. Rounded points are in units of a power of two,
-// 2^exponent(), in which at least one of the two solids is neither tiny nor immense, and nothing overflows: coordinates
-// are below 2^110. No cost is proportional to the size of a mesh, except that a search scans all vertices of a hull of
-// up to `scanned_max` vertices.
+// 2^exponent(). It is chosen so that at least one of the solids is neither tiny nor immense, and nothing overflows:
+// coordinates are below 2^110. No cost is proportional to the size of a mesh, with one exception: a search scans all
+// vertices of a hull of up to `scanned_max` vertices.
 #pragma once
 
 #include <algorithm>
@@ -28,13 +28,13 @@ namespace ecods::convex {
 
 using exact::Point;
 
-// A vertex of the hull of the first (0) or the second (1) solid.
+// Refers to a vertex of the hull of the first solid (side 0) or of the second (side 1).
 struct HullVertex {
     std::size_t side;
     std::uint32_t vertex;
 };
 
-// The rows of a pose's R, with scale(entry) in place of each entry.
+// Returns the rows of a pose's R, with each entry replaced by scale(entry).
 template <class Scale>
 std::array<Point, 3> rows_of(const Pose& pose, const Scale& scale) {
     std::array<Point, 3> rows;
@@ -45,49 +45,49 @@ std::array<Point, 3> rows_of(const Pose& pose, const Scale& scale) {
     return rows;
 }
 
-// The sign of the determinant of a pose's R, exactly. `rows` are its rows times a power of two.
+// Returns the exact sign of the determinant of a pose's R. `rows` must be the rows of R times a power of two.
 Sign orientation(const std::array<Point, 3>& rows, const Pose& pose);
 
 class PosedHulls {
   public:
-    // Throws SingularPose. Everything that the arguments refer to must outlive this. Cost: constant, some dozens of
-    // nanoseconds.
+    // Throws SingularPose. Everything that the arguments refer to must outlive this object. Cost: constant, some tens
+    // of nanoseconds.
     PosedHulls(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory);
 
     const Hull& hull(std::size_t side) const noexcept { return *bodies_[side].hull; }
     const Mesh& mesh(std::size_t side) const noexcept { return bodies_[side].solid->mesh(); }
-    // True if the pose reflects: faces, whose cycles are counterclockwise in the mesh, then are clockwise.
+    // True if the pose reflects the solid. Faces, whose cycles are counterclockwise in the mesh, are then clockwise.
     bool is_mirrored(std::size_t side) const noexcept { return bodies_[side].is_mirrored; }
 
-    // The point of a vertex, rounded; each coordinate is off by at most delta().
+    // Returns the posed vertex, rounded. Each coordinate is off by at most delta().
     ECODS_ALWAYS_INLINE Point rounded(std::size_t side, std::uint32_t vertex) const noexcept {
         return pose(bodies_[side], bodies_[side].points->at(vertex));
     }
     double delta() const noexcept { return delta_; }
-    // The posed center of the box around a solid's vertices, rounded.
+    // Returns the posed center of the box around a solid's vertices, rounded.
     Point center(std::size_t side) const noexcept { return pose(bodies_[side], bodies_[side].points->center); }
-    // Upper bound, on any axis, of the difference of two rounded points of one solid.
+    // Returns an upper bound of the difference, on any axis, of any two rounded points of one solid.
     double size(std::size_t side) const noexcept { return bodies_[side].size; }
     int exponent() const noexcept { return exponent_; }
 
-    // A support vertex along a direction, in doubles: it is at least as far as `start`, and if the hull is scanned, as
-    // all other vertices. Any direction is allowed; one that is not finite gives any vertex.
+    // Returns a support vertex along a direction, in doubles. It is at least as far as `start`; if the hull is scanned,
+    // at least as far as all other vertices. If the direction is not finite, returns any vertex.
     std::uint32_t support(std::size_t side, const Point& direction, std::uint32_t start) const noexcept;
-    // A support vertex along a direction, without a start.
+    // Returns a support vertex along a direction, for callers that know no start.
     std::uint32_t support(std::size_t side, const Point& direction) const noexcept;
-    // The greatest number of vertices of a hull that is scanned rather than climbed.
+    // The greatest number of vertices of a hull whose vertices are scanned. In larger hulls a search climbs over edges.
     static constexpr std::size_t scanned_max = 96;
     bool is_scanned(std::size_t side) const noexcept { return bodies_[side].points->vertex_count <= scanned_max; }
-    // Finds support() of a scanned hull, for callers that are compiled for the instruction set in use.
+    // Returns support() of a scanned hull, inlined into a caller that is compiled for the instruction set in use.
     ECODS_ALWAYS_INLINE std::uint32_t scan(std::size_t side, const Point& direction) const noexcept {
         const Body& body = bodies_[side];
         const std::vector<double>& groups = body.points->groups;
         return std::min(last_vertex(body), furthest(groups.data(), groups.size(), in_mesh(body, direction)));
     }
 
-    // Products of vertices with n, in the mesh's coordinates. If n is off by at most `error` on each axis, a vertex is
-    // certainly further than another if its product exceeds the other's by more than `margin`. Requires delta() of at
-    // least 2^-200.
+    // Heights are the dot products of vertices with n, computed in the mesh's coordinates. If n is off by at most
+    // `error` on each axis, a vertex is certainly further than another if its height exceeds the other's by more than
+    // `margin`. Requires delta() of at least 2^-200.
     struct Heights {
         const SupportPoints* points;
         Point along;
@@ -96,42 +96,42 @@ class PosedHulls {
         double of(std::uint32_t vertex) const noexcept { return exact::dot(along, points->at(vertex)); }
     };
     Heights heights(std::size_t side, const Point& n, double error) const noexcept;
-    // Lists, ascending, the vertices that may be extreme by these products. Requires a scanned hull.
+    // Appends to `list`, ascending, the vertices that may be extreme by these heights. Call only for a scanned hull.
     static void list_furthest(const Heights& heights, std::vector<std::uint32_t>& list);
 
-    // True if all vertices of a solid other than `corners` are proven to be behind the corners, along the direction
-    // that n approximates within `error` on each axis. The direction must be perpendicular to all edges among the
-    // corners. Requires delta() of at least 2^-200; false if the hull is not scanned.
+    // Returns true if all vertices of a solid other than `corners` are proven to be behind the corners, along the
+    // direction that n approximates within `error` on each axis. The direction must be perpendicular to all edges among
+    // the corners, and delta() at least 2^-200. Returns false if the hull is not scanned.
     bool are_others_behind(std::size_t side, const Point& n, double error,
                            std::span<const std::uint32_t> corners) const noexcept;
 
-    // The vertices of a triangle of the mesh, for a witness that may be anything. A corner that is no vertex of the
-    // hull is replaced by another vertex; so are all three if the triangle does not exist.
+    // Returns the vertices of a triangle of the mesh, which a witness names. A corner that is no vertex of the hull is
+    // replaced by another vertex. If the triangle does not exist, returns three vertices all the same.
     std::array<std::uint32_t, 3> vertices_near(std::size_t side, std::uint32_t triangle) const noexcept;
 
     // Calls `use` with the vertices' exact points as IntegerPoints<Kernel, N>, in the narrowest kernel that holds them,
-    // and returns its result. Points are relative to the first one, in the unit that IntegerPoints names. Cost: 0.1
-    // microseconds on first use, then some dozens of nanoseconds; more if the points' digits do not fit into two limbs.
+    // and returns its result. Points are relative to the first one, in the unit of IntegerPoints. Cost: 0.1
+    // microseconds on first use, then some tens of nanoseconds; more if the points' digits do not fit into two limbs.
     template <std::size_t N, class Use>
     auto with_integers(const std::array<HullVertex, N>& vertices, Use&& use);
-    // True if exact points fit into two limbs. fixed() gives them in units of 2^fixed_unit().
+    // True if exact points fit into two limbs. fixed() then gives these points, in units of 2^fixed_unit().
     bool has_fixed_points();
     const exact::IntegerVector& fixed(const HullVertex& v) noexcept {
         return memory_.points.at(v.side, mesh_vertex(v));
     }
     int fixed_unit() const noexcept { return memory_.points.unit(); }
 
-    // Points of up to three vertices of each solid as integers, in units of 2^unit; short ones if their digits fit. If
-    // they are not exact, the difference of two coordinates is off by less than 5 units.
+    // Holds points of up to three vertices of each solid as integers, in units of 2^unit. They are short integers if
+    // their digits fit. Unless are_exact, the difference of two coordinates is off by less than 5 units.
     struct Integers {
         std::array<std::array<exact::IntegerVector, 3>, 2> at;
         int unit;
         bool are_exact;
     };
     Integers integers(const std::array<std::span<const std::uint32_t>, 2>& vertices);
-    // The solid in the form that exact questions take.
+    // Returns the solid in the form that exact questions take.
     exact::BodyRef body(std::size_t side) const;
-    // The point by reference, in the form in which round_point takes the origin of other points.
+    // Returns a reference to the vertex, in the form in which round_point() takes the origin of other points.
     exact::PointRef reference(const HullVertex& v) const noexcept {
         return {bodies_[v.side].at, &mesh(v.side).vertices()[mesh_vertex(v)]};
     }
@@ -142,8 +142,9 @@ class PosedHulls {
         const Pose* at;
         const Hull* hull;
         const SupportPoints* points;
-        std::array<Point, 3> rows;  // rows of R, times the power of two that scales points to rounded ones
-        Point offset;               // t - t0
+        std::array<Point, 3>
+            rows;      // rows of R, times the power of two that makes them map mesh points to rounded points
+        Point offset;  // t - t0
         double size;
         bool is_mirrored;
     };
@@ -157,7 +158,7 @@ class PosedHulls {
         return p;
     }
 
-    // A direction in the mesh's coordinates: R^T direction.
+    // Returns a direction in the mesh's coordinates: R^T direction.
     ECODS_ALWAYS_INLINE static Point in_mesh(const Body& body, const Point& direction) noexcept {
         Point along;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -166,7 +167,7 @@ class PosedHulls {
         }
         return along;
     }
-    // The vertex whose copies fill up the last groups.
+    // Returns the vertex whose copies fill up the last groups.
     static std::uint32_t last_vertex(const Body& body) noexcept { return body.points->vertex_count - 1; }
     std::uint32_t mesh_vertex(const HullVertex& v) const noexcept {
         return bodies_[v.side].hull->mesh_vertices[v.vertex];

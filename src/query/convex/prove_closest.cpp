@@ -1,19 +1,20 @@
-// Proves closest features by signs of rounded points with error bounds.
+// Proves closest features by signs of rounded points, with error bounds.
 //
-// In any rounding mode one operation is off by a factor of 1 + e, |e| <= u' = 2^-52. Rounded points are off by at most
-// delta on each axis, so a difference x of two, of which no coordinate is larger than X, is off by at most
+// In any rounding mode, one operation is off by a factor of 1 + e, |e| <= u' = 2^-52. Rounded points are off by at most
+// delta on each axis. So a difference x of two points, with no coordinate larger than X, is off by at most
 //     e(X) = 2 delta + u' X.
-// Let vectors x, y be off by at most a, b on each axis, and their coordinates be at most X, Y. With a <= X / 16,
-// b <= Y / 16 (or the bound is written out):
+// Let vectors x, y be off by at most a, b on each axis, and their coordinates be at most X, Y. With a <= X / 16, b <= Y
+// / 16 (or the bound is written out):
 //     x . y         three products, each off by X b + Y a + a b, and 4 u' X Y for its rounding and those of the sums
 //     x cross y     two products on each axis, off by X b + Y a + a b <= 1.04 (X b + Y a), and 3 u' X Y
 //     (u.u) w - (w.u) u   six products of three factors on each axis, off by
 //                   (U + a)^2 (W + b) - U^2 W <= 1.13 (2 U W a + U^2 b), and by 6 u' U^2 W for their roundings
-// The factors below are larger by some percent, which covers the roundings of the bounds themselves.
+// The factors in the code are larger by some percent, which covers the roundings of the bounds themselves.
 //
-// Nothing overflows: coordinates are below 2^111, products of four below 2^460. Underflow loses less than 2^-1022,
-// times other factors. The bounds have two factors of at least 2^-200 in its place, because delta must be at least
-// 2^-200.
+// Nothing overflows: coordinates are below 2^111, products of four coordinates below 2^460. Underflow loses less than
+// 2^-1022, times other factors. In its place the bounds have two factors of at least 2^-200, because delta must be at
+// least 2^-200.
+// Claim: verify/proofs/hull_signs.py
 #include <cmath>
 
 #include "base/arithmetic.hpp"
@@ -32,7 +33,7 @@ using exact::times;
 
 using exact::FeatureKind;
 
-// A vector, its largest coordinate in magnitude, and a bound of its error on each axis.
+// Holds a vector, its largest coordinate in magnitude, and a bound of its error on each axis.
 struct Bounded {
     Point x;
     double size;
@@ -71,7 +72,7 @@ BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b) noexcept
     return {x, (a.error + b.error) * (1 + 4 * two_u) + two_u * std::abs(x)};
 }
 
-// (u.u) w - (w.u) u
+// Returns (u . u) w - (w . u) u, the part of w that is perpendicular to u, times u . u.
 Bounded across(const Bounded& w, const Bounded& u) noexcept {
     const double uu = convex::dot(u.x, u.x), wu = convex::dot(w.x, u.x);
     const Point x = minus(times(w.x, uu), times(u.x, wu));
@@ -79,7 +80,7 @@ Bounded across(const Bounded& w, const Bounded& u) noexcept {
     return {x, largest(x), 7 * products + 44 * two_u * (u.size * u.size * w.size)};
 }
 
-// True if the vector's relative error is small enough for the bounds.
+// True if the vector's relative error is at most 1/16, as the bounds require.
 bool is_certain(const Bounded& a) noexcept {
     return 16 * a.error <= a.size;
 }
@@ -93,14 +94,14 @@ class Proof {
         }
     }
 
-    // True if the features hold closest points. Then sets the parts of the solids that are as near, if a look at
-    // neighbors found them.
+    // Returns true if the features contain closest points. Then sets `parts` to the solids' features that are extreme
+    // towards each other, except for a solid whose vertices were all proven to be behind the feature itself.
     bool prove(std::array<std::optional<HullFeature>, 2>& parts) {
         if (!find_direction()) return false;
         if (!prove_furthest(0, parts[0]) || !prove_furthest(1, parts[1])) return false;
         return is_inside_ || are_closest_of_triangles(hulls_, found_);
     }
-    // True if the points are certainly inside the features, not on their borders.
+    // True if the closest points are certainly inside the features, not on their borders.
     bool is_inside() const noexcept { return is_inside_; }
 
   private:
@@ -108,15 +109,15 @@ class Proof {
         return difference(points_[side][to], points_[side][0], hulls_.delta());
     }
 
-    // False if a number is certainly negative that must be positive inside a feature, and is zero at its border. Clears
-    // is_inside_ unless the number is certainly positive.
+    // Takes a number that is positive if the closest point is inside a feature, and zero on its border. Returns false
+    // if it is certainly negative. Clears is_inside_ unless it is certainly positive.
     bool may_hold(const BoundedNumber& x) noexcept {
         is_inside_ &= x.is_positive();
         return !(x.x < -x.error);
     }
 
-    // Sets n_, from the first solid to the second. False if it is not certain, or a closest point is certainly outside
-    // its feature.
+    // Sets n_ to the direction from the first solid to the second, and returns true. Returns false if the direction is
+    // not certain, or a closest point is certainly outside its feature.
     bool find_direction() noexcept {
         const Bounded w = difference(points_[1][0], points_[0][0], hulls_.delta());
         if (!is_certain(w)) return false;
@@ -168,16 +169,17 @@ class Proof {
         return gap.x < -gap.error;
     }
 
-    // True if all of a solid is behind its feature, or level with it. All that is level is a part of the hull: the
-    // feature itself if a scan of all vertices proves the others to be behind.
+    // Returns true if no vertex of a solid is beyond its feature along n_. If a scan proves that all other vertices are
+    // behind the feature, leaves `part` unset. Otherwise sets `part` to the hull's feature that contains all vertices
+    // level with it.
     bool prove_furthest(std::size_t side, std::optional<HullFeature>& part) {
         const Bounded n = side == 0 ? n_ : negated(n_);
         if (hulls_.are_others_behind(side, n.x, n.error, found_.of_side(side))) return true;
         return prove_by_neighbors(side, n, part);
     }
 
-    // Tests the feature's first vertex against its neighbors. The feature's own edges need no test; if doubles leave
-    // others open, exact signs decide.
+    // Compares the neighbors of the feature's first vertex with it. Neighbors along the feature's own edges need no
+    // test. If doubles leave some of the others undecided, exact signs decide.
     bool prove_by_neighbors(std::size_t side, const Bounded& n, std::optional<HullFeature>& part) {
         const Hull& hull = hulls_.hull(side);
         const auto corners = found_.of_side(side);
@@ -250,8 +252,9 @@ std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& gues
     if (!(hulls.delta() >= 0x1p-200) || guess.count < 1 || guess.count > 3) return std::nullopt;
     const VertexSets sets(guess);
     const std::array<std::array<std::uint32_t, 3>, 2> triangles{sets.triangle(0), sets.triangle(1)};
-    // A simplex names features if its pairs span them with no vertex too many. Otherwise it has more vertices than
-    // features have, for example at parallel faces; then doubles guess the features of the two triangles.
+    // A simplex names features directly if its pairs span them with no vertex too many. Otherwise it has more vertices
+    // than the features have, for example at parallel faces. Doubles then guess the closest features of the two
+    // triangles.
     const bool are_features = static_cast<std::size_t>(guess.count) + 1 == sets.count[0] + sets.count[1];
     ClosestHulls result{are_features ? HullFeatures(triangles, exact::features_of_counts(sets.count[0], sets.count[1]))
                                      : guess_of_triangles(hulls, triangles),
@@ -268,8 +271,8 @@ std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& gues
     return result;
 }
 
-// Proves that the origin is inside the tetrahedron: it is if, for every three vertices, the origin is on the same side
-// of their plane as the fourth.
+// Proves that the origin is inside the tetrahedron. It is if for every three vertices the origin is on the same side of
+// their plane as the fourth vertex.
 bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
     if (guess.count != 4 || !(hulls.delta() >= 0x1p-200)) return false;
     std::array<Bounded, 4> w;
@@ -278,7 +281,7 @@ bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
         w[i] = {guess.points[i], size, 2 * hulls.delta() + two_u * size};
         if (!is_certain(w[i])) return false;
     }
-    // With the origin 0, det(w_j, w_k, w_l) has one sign for all four triples if their orders alternate.
+    // The origin is inside if det(w_j, w_k, w_l) has the same sign for all four triples, with alternating orders.
     const auto det = [&](std::size_t i, std::size_t j, std::size_t k) { return dot(cross(w[i], w[j]), w[k]); };
     const std::array<BoundedNumber, 4> dets{det(1, 2, 3), det(0, 3, 2), det(0, 1, 3), det(0, 2, 1)};
     bool are_positive = true, are_negative = true;

@@ -19,18 +19,20 @@ using exact::largest;
 using exact::minus;
 using exact::sum_of_magnitudes;
 
-// True if the direction between the centers, taken as a separating axis, proves that the solids are further apart than
-// the limit. It uses the nearest pair of vertices along the direction, so it is false for hulls that are not scanned.
+// Returns true if the direction between the centers, taken as a separating axis, proves that the solids are further
+// apart than the limit. `start` must be the nearest pair of vertices along this direction. Returns false if a hull is
+// not scanned, since the pair then may not be the nearest.
 //
 // Derivation. Let n be the direction, u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where
-// `sum` bounds what is added up for any coordinate of a point, and |n|_1 the sum of the magnitudes of n. A vertex's
-// height along n, in the mesh's coordinates, is off by at most (1 + u')^6 - 1 < 6.1 u' of sum |n|_1: less than
+// `sum` bounds the magnitudes added up for any coordinate of a point, and |n|_1 the sum of the magnitudes of n. A
+// vertex's height along n, in the mesh's coordinates, is off by at most (1 + u')^6 - 1 < 6.1 u' of sum |n|_1: less than
 // 1.5 D |n|_1. So the vertex found is lower than the highest one by less than 3 D |n|_1, and its rounded point is off
 // by D |n|_1 along n: for both solids together by less than 8 D |n|_1. The product of n and the difference of the two
 // points is off by less than 5 u' of its terms' magnitudes S. 9 D and 8 u' also cover the rounding of the sums and of
 // both products below; the root is off by less than 4 u'. Underflow in a product is below 2^-1022, and all of it below
-// 2^-900; n is so large that underflow has no other effect, and a limit that is flushed to zero is below what 2^-900 /
+// 2^-900. n is so large that underflow has no other effect, and a limit that is flushed to zero is below what 2^-900 /
 // |n| leaves.
+// Claim: verify/proofs/lines_and_times.py
 bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noexcept {
     const Point n = minus(hulls.center(1), hulls.center(0));
     if (hulls.exponent() != 0 || !hulls.is_scanned(0) || !hulls.is_scanned(1) || !(largest(n) >= 0x1p-400))
@@ -39,6 +41,17 @@ bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noex
     const double magnitudes = sum_of_magnitudes({n[0] * gap[0], n[1] * gap[1], n[2] * gap[2]});
     const double least = ((dot(n, gap) - 8 * two_u * magnitudes) - 9 * hulls.delta() * sum_of_magnitudes(n)) - 0x1p-900;
     return least > limit * (std::sqrt(dot(n, n)) * (1 + 8 * two_u));
+}
+
+// Returns the distance if it is at most the limit. Compares exactly only if the rounded distance equals the limit: only
+// then it is open if the real one exceeds it.
+std::optional<double> distance_within(PosedHulls& hulls, const std::optional<ClosestHulls>& closest, double limit) {
+    if (!closest) return 0;
+    const double distance = round_distance(hulls, closest->found);
+    const std::int64_t key = key_of(distance), limit_key = key_of(limit);
+    if (key > limit_key || (key == limit_key && compare_distance(hulls, closest->found, limit) > 0))
+        return std::nullopt;
+    return distance;
 }
 
 }  // namespace
@@ -70,19 +83,33 @@ void SolidInMemory::prefetch() const noexcept {
         __builtin_prefetch(numbers + at);
 }
 
-// Compares exactly only if the rounded distance equals the limit: only then it is open if the real one exceeds it.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory) {
     PosedHulls hulls(a, b, memory);
     const Simplex start = between_centers(hulls);
     if (is_beyond(hulls, start, limit)) return std::nullopt;
-    const auto closest = find_closest(hulls, start);
-    if (!closest) return 0;
-    const double distance = round_distance(hulls, closest->found);
-    const std::int64_t key = key_of(distance), limit_key = key_of(limit);
-    if (key > limit_key || (key == limit_key && compare_distance(hulls, closest->found, limit) > 0))
-        return std::nullopt;
-    return distance;
+    return distance_within(hulls, find_closest(hulls, start), limit);
+}
+
+std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
+                                      QueryMemory& memory, PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    if (!is_known(witness) && is_beyond(hulls, between_centers(hulls), limit)) return std::nullopt;
+    return distance_within(hulls, find_closest(hulls, &witness), limit);
+}
+
+double distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    const auto closest = find_closest(hulls, &witness);
+    return closest ? round_distance(hulls, closest->found) : 0;
+}
+
+std::optional<ClosestPoints> closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
+                                     PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    const auto closest = find_closest(hulls, &witness);
+    if (!closest) return std::nullopt;
+    return name_closest(hulls, *closest);
 }
 
 bool do_meet(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {

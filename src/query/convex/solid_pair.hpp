@@ -1,19 +1,20 @@
-// Answers the questions that lists of many pairs of convex solids ask of each pair, with no work beyond the answer.
+// Answers questions about two convex solids. All functions throw SingularPose.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 
+#include "ecods/ask.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/results.hpp"
 #include "ecods/shape.hpp"
-#include "ecods/solid.hpp"
 
 namespace ecods::convex {
 
-// True if R is not singular, so that a posed solid has a volume.
+// True if R is not singular. The posed solid then has a volume.
 bool is_regular(const Pose& pose);
 
-// Addresses of the data of a solid that a query reads, to prefetch them. Only a hint.
+// Holds addresses of a solid's data that a query reads, so that the data can be prefetched. It is only a hint.
 struct SolidInMemory {
     const void* parts = nullptr;
     const double* points = nullptr;
@@ -23,17 +24,27 @@ struct SolidInMemory {
     explicit SolidInMemory(const ConvexSolid& solid) noexcept;
     void prefetch() const noexcept;
 
-    // Prefetch what the constructor reads: first a solid, or null; when it has arrived, its parts.
+    // Prefetch the data that the constructor reads. First call prefetch_solid() (null is allowed); when that data has
+    // arrived, call prefetch_parts().
     static void prefetch_solid(const ConvexSolid* solid) noexcept;
     static void prefetch_parts(const ConvexSolid& solid) noexcept;
 };
 
-// The distance, rounded once, if the real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0, or
-// infinity. Throws SingularPose.
+// These start from the triangles of the witness, and leave those of the closest features.
+double distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness);
+// Returns nullopt if the solids share a point.
+std::optional<ClosestPoints> closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
+                                     PairWitness& witness);
+
+// Returns the distance, rounded once, if the real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0,
+// or infinity.
+std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
+                                      QueryMemory& memory, PairWitness& witness);
+
+// Answer questions for lists of many pairs, without a witness and without any other work.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory);
 
-// True if the solids share a point. Throws SingularPose.
 bool do_meet(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory);
 
 }  // namespace ecods::convex

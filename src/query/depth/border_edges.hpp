@@ -1,4 +1,4 @@
-// Finds the border of triangles that are removed from a surface.
+// Finds the border of a set of triangles that are removed from a surface.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 
 namespace ecods::depths {
 
-// An edge: its first end in the upper 32 bits, its second end in the lower ones.
+// An edge: its first end is in the upper 32 bits, its second end in the lower 32 bits.
 using BorderEdge = std::uint64_t;
 
-// Adds the edges of a triangle to a list of `count` edges, and returns the new count, which is at most count + 3. An
-// edge between two of the triangles comes in both directions, and cancels.
+// Adds the edges of a triangle to the `count` edges of `border`, and returns the new count, at most count + 3. An edge
+// cancels with the same edge in the opposite direction, so an edge between two removed triangles is not in the border.
 ECODS_ALWAYS_INLINE std::uint32_t add_edges(const std::array<std::uint32_t, 3>& corners, BorderEdge* border,
                                             std::uint32_t count) noexcept {
     for (std::size_t c = 0; c < 3; ++c) {

@@ -1,4 +1,4 @@
-// References two posed convex solids in the form that exact integers need.
+// Refers to two posed convex solids in the form that exact integers need.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace ecods::depths {
 
-// References a posed convex solid. `body` has the mesh whose vertices the hull names, and the extent of that mesh.
+// Refers to a posed convex solid. `body` has the mesh to whose vertices the hull refers, and the extent of that mesh.
 struct ConvexBody {
     const convex::Hull* hull;
     exact::BodyRef body;

@@ -7,6 +7,7 @@
 #include "query/depth/inner_balls.hpp"
 #include "query/depth/parting_search.hpp"
 #include "query/intersection/asking.hpp"
+#include "query/solid/relations.hpp"
 
 namespace ecods {
 namespace {

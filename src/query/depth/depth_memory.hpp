@@ -1,4 +1,4 @@
-// Scratch memory of depth().
+// DepthMemory is the scratch memory of depth().
 #pragma once
 
 #include "query/depth/inner_polytope.hpp"
@@ -16,7 +16,7 @@ struct DepthMemory final : QueryMemoryPart {
     }
 };
 
-// The depth of two convex solids; nullopt if they share no point.
+// Returns the depth of two convex solids; nullopt if they share no point.
 std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory);
 
 }  // namespace ecods::depths

@@ -11,8 +11,8 @@
 
 namespace ecods::depths {
 
-// A vertex p of the first solid minus a vertex q of the second, as indices in the hulls. The Minkowski difference of
-// two convex solids is the convex hull of these points.
+// A vertex p of the first solid minus a vertex q of the second, both as indices in the hulls. The Minkowski difference
+// of two convex solids is the convex hull of all these points.
 struct DifferenceVertex {
     std::uint32_t p = 0;
     std::uint32_t q = 0;
@@ -22,11 +22,12 @@ struct DifferenceVertex {
 };
 
 // A face of the Minkowski difference: the feature of the first solid that is extreme along the face's outer normal, and
-// the feature of the second that is extreme against it. One of them is a face, or both are edges that are not parallel.
+// the feature of the second solid that is extreme in the opposite direction. One of the two is a face, or both are
+// edges that are not parallel.
 using DifferenceFace = std::array<convex::HullFeature, 2>;
 
-// Orders faces at exactly the same distance, to choose one: faces of the first solid come first, then faces of the
-// second, then pairs of edges. No two faces of the Minkowski difference are equal in this order.
+// Orders faces at exactly the same distance, so that one can be chosen: faces of the first solid come first, then faces
+// of the second, then pairs of edges. No two faces of the Minkowski difference are equal in this order.
 inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFace& y) noexcept {
     const auto rank = [](const DifferenceFace& f) -> std::array<std::uint32_t, 3> {
         if (f[0].kind == Feature::Kind::face) return {0, f[0].index, 0};
@@ -36,9 +37,10 @@ inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFa
     return rank(x) <=> rank(y);
 }
 
-// Returns the furthest vertex if it is further along a normal than `corner`. Otherwise reduces the lists `levels` to
-// the vertices that are as far as the corner. The lists must contain all vertices that are extreme along the normal, or
-// against it for the second solid. further(side, from, to) is the sign of how much further `to` is than `from`.
+// Reduces the lists `levels` to their vertices that are furthest along a normal. Returns the furthest vertex if it is
+// further than `corner`; otherwise nullopt, and the lists then hold the vertices that are as far as the corner. The
+// lists must contain all vertices that are extreme along the normal, or for the second solid in the opposite direction.
+// further(side, from, to) must return the sign of how much further vertex `to` is than vertex `from`.
 template <class Further>
 std::optional<DifferenceVertex> keep_level(std::array<std::vector<std::uint32_t>, 2>& levels,
                                            const DifferenceVertex& corner, Further&& further) {

@@ -8,7 +8,7 @@
 namespace ecods::depths {
 namespace {
 
-// Calls `use` with the vertices in integers of as many limbs as all of them need.
+// Calls `use` with the vertices of both solids as integers, of as many limbs as all of them need.
 template <class Use>
 auto with_points(const ConvexPair& pair, Use&& use) {
     const PairTerms terms(pair);

@@ -1,4 +1,4 @@
-// Finds the depth of two convex solids in integers alone: complete for every finite input, and expensive.
+// Finds the depth of two convex solids in integers alone. It works for every finite input, but is expensive.
 #pragma once
 
 #include <optional>
@@ -9,45 +9,46 @@
 
 namespace ecods::depths {
 
-// A face of the Minkowski difference that is nearest to the origin, the first one of ties; its distance, and its outer
-// unit normal, each rounded once.
+// Holds the face of the Minkowski difference that is nearest to the origin (the first one of ties), its distance, and
+// its outer unit normal; the numbers are rounded once.
 struct ExactDepth {
     DifferenceFace face;
     double depth = 0;
     Vec3 direction = Vec3::Zero();
 };
 
-// The depth; nullopt if the solids share no point.
+// Returns the depth; nullopt if the solids share no point.
 //
-// A hull of some points of the Minkowski difference grows. It picks a face nearest to the origin; the distance counts
-// as negative if the origin is beyond the face. While that face is not in a face of the whole difference, it adds the
-// vertex furthest beyond the face. Every step adds a vertex of the difference, so it ends. Then no face of the hull is
-// nearer than the picked one, which is in a face of the difference. So no face of the difference is nearer, because the
-// hull is inside it.
+// The algorithm grows the hull of some points of the Minkowski difference. It picks a face nearest to the origin; the
+// distance counts as negative if the origin is beyond the face. While that face is not in a face of the whole
+// difference, the vertex furthest beyond the face is added. Every step adds a vertex of the difference, so the
+// algorithm ends. At the end, no face of the hull is nearer than the picked one, which is in a face of the difference.
+// The hull is inside the difference, so no face of the difference is nearer.
 //
-// All faces of the difference that tie with it are faces of the hull, too. If the distance d is positive, the ball of
-// radius d is inside the hull, and touches the difference's border only where it touches the hull's. If d is 0, the
-// normals of all planes through the origin that have the difference on one side form a cone, whose extreme rays are the
-// normals of faces. The cone of the hull contains the difference's cone, and is no larger, since all nearest faces of
-// the hull are faces of the difference.
+// All faces of the difference that tie with the picked face are faces of the hull, too. If the distance d is positive,
+// the ball of radius d is inside the hull, and touches the difference's border only where it touches the hull's. If d
+// is 0, the normals of all planes through the origin that have the difference on one side form a cone, whose extreme
+// rays are the normals of faces. The cone of the hull contains the difference's cone, and is no larger, since all
+// nearest faces of the hull are faces of the difference.
 std::optional<ExactDepth> exact_depth(const ConvexPair& pair);
 
-// The depth from a known face. `corners` are three vertices of the Minkowski difference in its plane, counterclockwise
-// from outside, not on one line.
+// Returns the depth, given the nearest face. `corners` must be three vertices of the Minkowski difference in the plane
+// of this face, not on one line, counterclockwise seen from outside.
 ExactDepth measure_exactly(const ConvexPair& pair, const DifferenceFace& face,
                            const std::array<DifferenceVertex, 3>& corners);
 
-// Returns the furthest vertex along the normal of the plane through `corners` if it is beyond the plane. Otherwise
-// reduces the lists `levels` to the vertices in the plane. The lists must be ascending, and contain all vertices that
-// are extreme along the normal, or against it for the second solid.
+// Returns the vertex furthest along the normal of the plane through `corners` if it is beyond the plane. Otherwise
+// returns nullopt, and reduces the lists `levels` to the vertices in the plane. The lists must be ascending, and
+// contain all vertices that are extreme along the normal, or for the second solid in the opposite direction.
 std::optional<DifferenceVertex> keep_level(const ConvexPair& pair, const std::array<DifferenceVertex, 3>& corners,
                                            std::array<std::vector<std::uint32_t>, 2>& levels);
 
-// True if a vertex is strictly beyond the plane through three.
+// True if `vertex` is strictly beyond the plane through the three `corners`.
 bool is_beyond_exactly(const ConvexPair& pair, const std::array<DifferenceVertex, 3>& corners,
                        const DifferenceVertex& vertex);
 
-// Compares the distances of two planes from the origin, each through three vertices: the sign of first minus second.
+// Returns the sign of (distance of the first plane from the origin) - (distance of the second plane). Each plane is
+// given by three vertices.
 int compare_exactly(const ConvexPair& pair, const std::array<DifferenceVertex, 3>& first,
                     const std::array<DifferenceVertex, 3>& second);
 

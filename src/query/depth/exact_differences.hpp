@@ -1,9 +1,9 @@
-// Represents the vertices of two posed convex solids, and their differences, as integers of L limbs in one unit.
+// Represents the vertices of two posed convex solids, and their differences, as integers of L limbs in one common unit.
 //
 // Widths. Products and translations are below 2^high and multiples of 2^unit. A point, relative to the first solid's
-// translation, is a sum of three products and two translations. The difference of two points is below 2^(high + 4), and
-// the difference m of two of these, an edge of the Minkowski difference, below 2^(high + 5). With high - unit +
-// sum_bits <= 64 L all differences are below 2^k, k = 64 L - 2; the widths of products follow as in
+// translation, is a sum of three products and two translations. The difference of two points is below 2^(high + 4). The
+// difference m of two such differences, an edge of the Minkowski difference, is below 2^(high + 5). With high - unit +
+// sum_bits <= 64 L all differences are below 2^k, k = 64 L - 2. The widths of products follow as in
 // exact/measure/distance/exact_features.hpp.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace ecods::depths {
 
-// Holds the poses of both solids as sums of terms, relative to the first solid's translation.
+// Holds the poses of both solids as sums of terms. Translations are relative to the first solid's translation.
 struct PairTerms {
     explicit PairTerms(const ConvexPair& pair) noexcept {
         for (std::size_t side = 0; side < 2; ++side) {
@@ -32,7 +32,7 @@ struct PairTerms {
     int bits() const noexcept { return digits.width() + exact::sum_bits; }
 
     std::array<exact::PoseTerms, 2> of;
-    exact::BitRange digits;  // digits of all vertices
+    exact::BitRange digits;  // digits that the vertices of both solids may have
 };
 
 template <int L>
@@ -62,13 +62,15 @@ class ExactDifferences {
         return result;
     }
 
-    // The sign of how much further vertex `to` is than `from`: along n for the first solid, against n for the second.
+    // Returns the sign of how much further vertex `to` is than vertex `from`: along n for the first solid, and against
+    // n for the second.
     int beyond(std::size_t side, const Normal& n, const Point& from, const Point& to) const noexcept {
         const int s = exact::sign<3 * L>(exact::dot<2 * L, L>(n, exact::difference<L>(to, from)));
         return side == 0 ? s : -s;
     }
 
-    // A vertex of one solid that is extreme along n, or against n for the second, and its edges that are as far.
+    // Returns a vertex of one solid that is extreme along n (for the second solid, against n), and its edges that are
+    // level with it.
     convex::Furthest furthest(std::size_t side, const Normal& n, std::uint32_t from) const {
         const auto signs = [&](std::uint32_t vertex, std::span<const convex::Hull::Neighbor> neighbors) {
             std::array<int, convex::signs_at_once> result{};

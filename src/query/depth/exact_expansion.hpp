@@ -15,14 +15,14 @@
 
 namespace ecods::depths {
 
-// A plane n . x = h through vertices of the Minkowski difference.
+// Holds a plane n . x = h through vertices of the Minkowski difference.
 template <int L>
 struct ExactPlane {
     exact::LimbVector<2 * L> n;
     exact::Magnitude<3 * L> h;
     exact::Magnitude<4 * L> nn;
     int side = 0;               // sign of h
-    exact::LeadingDigits near;  // 127 leading digits of h^2 / n.n
+    exact::LeadingDigits near;  // leading 127 digits of h^2 / n.n
 
     using Point = typename ExactDifferences<L>::Point;
 
@@ -33,8 +33,8 @@ struct ExactPlane {
         side = exact::sign<3 * L>(h);
         const auto hh = exact::multiply<3 * L, 3 * L>(h.limbs, h.limbs);
         near = exact::leading_digits(exact::without_leading_zeros(hh), exact::without_leading_zeros(nn.limbs));
-        // Shortens 128 digits to 127, all numbers thus having one length; is_exact is true if no digit is lost. Digits
-        // of one length compare like the quotients.
+        // Shortens 128 digits to 127, so that all planes have equally many digits, whose order is the order of the
+        // quotients. is_exact stays true only if no nonzero digit is dropped.
         if (near.digits >> 127 != 0) {
             near.is_exact &= (near.digits & 1) == 0;
             near.digits >>= 1;
@@ -42,7 +42,7 @@ struct ExactPlane {
         }
     }
 
-    // The sign of n . x - h.
+    // Returns the sign of n . x - h.
     int sign_at(const Point& x) const noexcept {
         const auto along = exact::dot<2 * L, L>(n, exact::difference<L>(x, Point{}));
         return exact::sign<3 * L>(exact::minus<3 * L>(along, h));
@@ -57,14 +57,14 @@ struct ExactPlane {
     }
 };
 
-// The sign of how much further from the origin, along its normal, the first plane is than the second.
+// Returns the sign of (distance of plane x) - (distance of plane y), both from the origin, along the plane's normal.
 template <int L>
 int compare(const ExactPlane<L>& x, const ExactPlane<L>& y) noexcept {
     if (x.side != y.side) return x.side < y.side ? -1 : 1;
     if (x.side == 0) return 0;
     const auto further = [&](int sign) { return x.side < 0 ? -sign : sign; };
     if (x.near.exponent != y.near.exponent) return further(x.near.exponent < y.near.exponent ? -1 : 1);
-    // Digits that are cut off count less than one unit in the last place.
+    // The dropped digits are less than one unit in the last place, so different leading digits decide.
     if (x.near.digits != y.near.digits) return further(x.near.digits < y.near.digits ? -1 : 1);
     if (x.near.is_exact && y.near.is_exact) return 0;
     return further(exact::compare(x.square(0), y.square(0)));
@@ -100,15 +100,15 @@ class ExactExpansion {
         Corners at;  // indices of vertices_, counterclockwise from outside
         std::array<DifferenceVertex, 3> corners;
         ExactPlane<L> plane;
-        bool is_final = false;  // true if it is in the plane of a face of the whole difference
+        bool is_final = false;  // true if the face is in the plane of a face of the whole difference
     };
 
     DifferenceVertex furthest(const Normal& n, const DifferenceVertex& from) const {
         return {points_.furthest(0, n, from.p).vertex, points_.furthest(1, n, from.q).vertex};
     }
 
-    // Begins with a tetrahedron of four points of the Minkowski difference that are in no plane: three vertices of a
-    // face of the first solid and a vertex off that face, each minus one vertex of the second.
+    // Begins with a tetrahedron of four points of the Minkowski difference that are not in one plane: three vertices of
+    // a face of the first solid and a vertex off that face, each minus the same vertex of the second solid.
     void begin() {
         const convex::Hull& hull = points_.hull(0);
         const auto cycle = hull.cycle_of(0);
@@ -137,7 +137,7 @@ class ExactExpansion {
                           ExactPlane<L>(points_at_[at[0]], points_at_[at[1]], points_at_[at[2]])});
     }
 
-    // A nearest face that is not final; nullopt if all nearest faces are final.
+    // Returns a nearest face that is not final; nullopt if all nearest faces are final.
     std::optional<std::size_t> next_face() const noexcept {
         std::size_t nearest = 0;
         for (std::size_t i = 1; i < faces_.size(); ++i) {
@@ -148,9 +148,10 @@ class ExactExpansion {
         return nearest;
     }
 
-    // Adds a vertex that is strictly outside. The faces that it is strictly beyond are replaced by triangles that join
-    // it to their border. A face whose plane contains the vertex stays. A triangle at its border has area all the same:
-    // the vertex is strictly beyond the face on the other side of the border edge, and so not in line with that edge.
+    // Adds a vertex w, at the point m, that is strictly outside the polytope. Faces that w is strictly beyond are
+    // replaced by triangles that join w to their border. Faces whose plane contains w stay. The new triangles have an
+    // area even at such a face: w is strictly beyond the face on the other side of the border edge, and so not in line
+    // with that edge.
     void add(const DifferenceVertex& w, const Point& m) {
         const std::uint32_t apex = add_vertex(w);
         std::uint32_t border_count = 0;
@@ -182,7 +183,7 @@ class ExactExpansion {
                 exact::round_direction<2 * L>(first->plane.n)};
     }
 
-    // The features of a final face. Its corners are extreme along its normal.
+    // Returns the features of both solids that form a final face. The face's corners are extreme along its normal.
     DifferenceFace names_of(const Face& face) const {
         const auto feature = [&](std::size_t side) {
             const convex::Furthest furthest = points_.furthest(side, face.plane.n, face.corners[0].of(side));

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/next.hpp"
-#include "ecods/distance.hpp"
+#include "query/distance/surface_distance.hpp"
 #include "query/shape/mesh_body.hpp"
 
 namespace ecods::depths {
@@ -14,7 +14,7 @@ namespace {
 class BallSearch {
   public:
     BallSearch(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) : a_(a), b_(b), memory_(memory) {
-        // The box that both solids' boxes have in common.
+        // `low` and `high` become the corners of the intersection of both solids' boxes.
         Vec3 low, high;
         for (const Posed<Solid>* solid : {&a, &b}) {
             const exact::MeshExtent& extent = MeshShapeAccess::tree(*solid->what).extent;
@@ -34,7 +34,7 @@ class BallSearch {
         }
         climb(half_ / 3);
         if (hint) {
-            // The second search starts afresh: the best point so far may be in another place.
+            // Starts the second search from scratch: a good point may be far from the best point so far.
             const double most = most_;
             most_ = -number_max;
             count_ = 0;
@@ -50,7 +50,7 @@ class BallSearch {
     static constexpr int halvings_max = 6;
     static constexpr int point_count_max = 90;
 
-    // Improves the best point by steps along the axes, and halves the steps when none improves it.
+    // Improves the best point by steps along the axes; halves the steps whenever no step improves the point.
     void climb(Vec3 step) {
         for (int halvings = 0; halvings < halvings_max;) {
             const Vec3 from = best_;
@@ -65,12 +65,13 @@ class BallSearch {
         }
     }
 
-    // The radius of a ball around a point that is inside the solid; outside, minus the distance from the solid.
+    // Returns the radius of a ball inside the solid around the point; if the point is outside, minus its distance from
+    // the solid.
     double radius(const Posed<Solid>& solid, const Vec3& point) {
         const Posed<MeshShape> at(point_shape(), {Mat3::Identity(), point});
         const Side side = locate(point, solid, memory_).side;
         if (side == Side::on) return 0;
-        const double d = distance(at, Posed<MeshShape>(solid), memory_);
+        const double d = surface::distance(at, Posed<MeshShape>(solid), memory_);
         return side == Side::inside ? std::min(next_down(d), number_max) : -d;
     }
 
@@ -78,8 +79,9 @@ class BallSearch {
         if (count_ == point_count_max || !point.allFinite()) return;
         ++count_;
         const double r = radius(a_, point), s = radius(b_, point);
-        // The sum and the product round by 2^-52 at most each, so the value is rounded down. A sum that is subnormal,
-        // or nearly, is exact, and the product then rounds at most to it. A sum that overflows is above number_max.
+        // The sum and the product each round by at most 2^-52, so the value is rounded down. If the sum is subnormal or
+        // nearly so, it is exact, and the product rounds at most to the sum. If the sum overflows, it is above
+        // number_max.
         const double value = r > 0 && s > 0 ? std::min((r + s) * (1 - 0x1p-50), number_max) : std::min({r, s, 0.0});
         if (!(value > most_)) return;
         best_ = point;

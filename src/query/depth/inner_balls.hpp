@@ -1,4 +1,4 @@
-// Finds a lower bound of the depth of two solids, from balls inside them.
+// Finds a lower bound of the depth of two solids from balls inside the solids.
 #pragma once
 
 #include <optional>
@@ -7,15 +7,15 @@
 
 namespace ecods::depths {
 
-// A place where a search begins, in addition to its own: around `middle`, by steps of length `step`.
+// Says where a search begins, in addition to its own beginning: around `middle`, with steps of length `step`.
 struct BallHint {
     Vec3 middle;
     double step;
 };
 
-// Let balls around one point, with radii r and s, be inside the two solids. A translation shorter than r + s leaves the
-// balls meeting, and so the solids' interiors. Returns the largest r + s found, rounded down; 0 if no point inside both
-// solids was found.
+// Returns the largest r + s found, rounded down, where balls of radii r and s around one point are inside the two
+// solids; 0 if no point inside both solids was found. It is a lower bound of the depth: after a translation shorter
+// than r + s the two balls still meet, and so do the solids' interiors.
 double find_inner_balls(const Posed<Solid>& a, const Posed<Solid>& b, const std::optional<BallHint>& hint,
                         QueryMemory& memory);
 

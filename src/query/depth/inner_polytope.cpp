@@ -38,9 +38,9 @@ void InnerPolytope::add_space() {
     for (auto* list : {&nx_, &ny_, &nz_, &length_, &n_error_, &h_error_}) list->resize(size);
     nearness_.resize(size, -infinity);
     corners_.resize(size);
-    vertices_.resize(size);  // every vertex but three adds two faces at least
+    vertices_.resize(size);  // every vertex but three adds at least two faces
     visible_.resize(size);
-    h_.resize(size);  // the last one, because has_space() reads its size
+    h_.resize(size);  // resized last, because has_space() reads its size
 }
 
 std::uint32_t InnerPolytope::support(std::size_t side, const Point& n) const noexcept {
@@ -49,7 +49,8 @@ std::uint32_t InnerPolytope::support(std::size_t side, const Point& n) const noe
     return face_count_ == 0 ? hulls_->support(side, n) : hulls_->support(side, n, face(nearest_).corners[0].of(side));
 }
 
-// Adds the vertex furthest along a vector, and lowers the upper bound of the depth to that vertex's distance.
+// Adds the vertex that is furthest along n. If the upper bound of the depth is proven, lowers it to this vertex's
+// height along n.
 void InnerPolytope::add_support(const Point& n) {
     const DifferenceVertex v{support(0, n), support(1, negated(n))};
     add_vertex(v);
@@ -75,7 +76,7 @@ void InnerPolytope::set_face(std::uint32_t i, std::uint32_t a, std::uint32_t b, 
     corners_[i] = {a, b, c};
 }
 
-// Makes a tetrahedron of the first four vertices; false if they may be in one plane.
+// Makes a tetrahedron of the first four vertices, and returns true. Returns false if they may be in one plane.
 bool InnerPolytope::set_tetrahedron() {
     const auto x = minus(vertices_[1].m, vertices_[0].m), y = minus(vertices_[2].m, vertices_[0].m), n = cross(x, y);
     const double above = dot(n, minus(vertices_[3].m, vertices_[0].m));
@@ -90,18 +91,19 @@ bool InnerPolytope::set_tetrahedron() {
     return true;
 }
 
-// Begins where the nearest faces are likely to be: where the ray from the middle of the difference through the origin
-// leaves it. Takes three vertices around that ray, and one on the other side.
+// Makes a tetrahedron where the nearest faces are likely to be: where the ray from the middle of the difference through
+// the origin leaves the difference. Takes three vertices around that ray, and one on the opposite side. Returns false
+// if no tetrahedron was found.
 bool InnerPolytope::begin() {
     const Point middle = minus(hulls_->center(1), hulls_->center(0));
     const double length = std::sqrt(dot(middle, middle));
     const Point ray = length > 0x1p-20 * bounds_.E ? times(middle, 1 / length) : Point{0.6, 0.64, 0.48};
-    // The axes e and f are perpendicular to the ray and to each other.
+    // e and f are unit vectors perpendicular to the ray and to each other.
     const double s = ray[2] < 0 ? -1 : 1, a = -1 / (s + ray[2]), b = ray[0] * ray[1] * a;
     const Point e{1 + s * ray[0] * ray[0] * a, s * b, -s * ray[0]}, f{b, s + ray[1] * ray[1] * a, -ray[1]};
     upper_ = infinity;
     constexpr std::array<Point, 4> ways{{{1, 0, 0.375}, {-0.5, 0.875, 0.375}, {-0.5, -0.875, 0.375}, {0, 0, -1}}};
-    // A loop, so that the function, which is always inlined, is inlined once.
+    // This is a loop because add_support() is always inlined: so its code occurs once here.
     for (const auto& [x, y, z] : ways) {
         add_support(
             {x * e[0] + y * f[0] + z * ray[0], x * e[1] + y * f[1] + z * ray[1], x * e[2] + y * f[2] + z * ray[2]});
@@ -109,7 +111,8 @@ bool InnerPolytope::begin() {
     return set_tetrahedron() || begin_anywhere();
 }
 
-// Begins with a tetrahedron of vertices that are extreme along vectors, each perpendicular to the edges found before.
+// Makes a tetrahedron of vertices that are extreme along vectors, each perpendicular to the edges found before. Returns
+// false if the vertices may be in one plane.
 bool InnerPolytope::begin_anywhere() {
     vertex_count_ = 0;
     const auto add_furthest = [&](const Point& n) {
@@ -133,7 +136,7 @@ void InnerPolytope::find_nearest() {
     nearest_ = convex::index_of_greatest(nearness_.data(), face_count_);
 }
 
-// Lists the faces that the last vertex is beyond.
+// Sets visible_ to the faces that the last vertex is beyond, and returns their number.
 std::uint32_t InnerPolytope::find_visible() {
     const Point& m = vertices_[vertex_count_ - 1].m;
     std::uint32_t count = 0;
@@ -147,7 +150,8 @@ std::uint32_t InnerPolytope::find_visible() {
     return count;
 }
 
-// Lists the edges of visible faces, except those between two of them. Returns their number, or 0 if there are too many.
+// Sets border_ to the edges of visible faces, without edges between two visible faces. Returns their number, or 0 if
+// there are too many.
 std::uint32_t InnerPolytope::find_border(std::uint32_t visible_count) {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < visible_count; ++i) {
@@ -173,19 +177,20 @@ bool InnerPolytope::replace(std::uint32_t visible_count) {
     return replace_visible(visible_count);
 }
 
-// Sets the upper bound of the depth from the nearest face: the depth is at most the distance of the plane of any face
-// of the whole difference. If that distance is negative, the solids are apart.
+// Sets the upper bound of the depth to the distance of the nearest face's plane, unless a proven bound is known. The
+// depth is at most the distance of the plane of any face of the whole difference. If that distance is negative, the
+// solids are apart.
 //
-// The true normal is at least as long as the computed one minus sqrt(3) n_error. For a thin face this may be nothing:
-// its plane may be at any distance, so every face then counts as near.
+// The true normal is at least as long as the computed one minus sqrt(3) n_error. For a thin face this lower bound may
+// be negative: the plane may then be at any distance, so the bound is infinite and every face counts as near.
 void InnerPolytope::bound_by_nearest() noexcept {
     if (is_upper_proven()) return;
     find_nearest();
     const std::uint32_t i = nearest_;
     const double length = length_[i] / RoundedBounds::slack - 2 * n_error_[i];
     upper_ = length > 0 ? (h_[i] + h_error_[i]) / length * RoundedBounds::slack : infinity;
-    // The origin may be beyond the face: with 0, visit_near leaves out only faces that certainly have it on their inner
-    // side.
+    // The origin may be beyond the face. With upper_ = 0, visit_near() leaves out only faces that certainly have the
+    // origin on their inner side.
     if (!(upper_ > 0)) upper_ = 0;
 }
 
@@ -196,8 +201,8 @@ void InnerPolytope::remove_face(std::uint32_t i) noexcept {
     nearness_[last] = -infinity;
 }
 
-// Grows the polytope. Every step adds a vertex or ends the search. Rounding may make a vertex come again, so the number
-// of steps is limited.
+// Grows the polytope. Every step adds a vertex or ends the search. Rounding may let the same vertex be added again, so
+// the number of steps is limited.
 InnerPolytope::End InnerPolytope::grow() {
     if (!begin()) return End::unknown;
     std::size_t steps = 64 + 4 * (hulls_->hull(0).vertex_count() + hulls_->hull(1).vertex_count());

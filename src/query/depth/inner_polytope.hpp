@@ -1,8 +1,9 @@
-// Grows a polytope of vertices of the Minkowski difference of two convex solids toward its faces nearest to the origin,
-// in doubles.
+// Grows a polytope of vertices of the Minkowski difference of two convex solids, in doubles, towards the faces of the
+// difference that are nearest to the origin.
 //
-// Its faces are triangles, turned outwards. They form a closed surface whatever rounding does: removed faces leave a
-// border, and new faces join a vertex to that border. This property is all that the proof in nearest_planes.hpp uses.
+// The faces of the polytope are triangles, turned outwards. They form a closed surface whatever rounding does: removed
+// faces leave a border, and new faces join a vertex to that border. The proof in nearest_planes.hpp uses this property
+// alone.
 #pragma once
 
 #include <array>
@@ -19,28 +20,28 @@ namespace ecods::depths {
 class InnerPolytope {
   public:
     enum class End : std::uint8_t {
-        nearest,  // no vertex is beyond the nearest face, as far as doubles know
+        nearest,  // as far as doubles know, no vertex is beyond the nearest face
         apart,    // proven: a plane has the whole difference on one side and the origin on the other
-        unknown,  // left to integers
+        unknown,  // undecided; integers must decide
     };
 
     End find(const convex::PosedHulls& hulls);
 
     struct Face {
-        exact::Point n;  // product of two edges
-        double n_error;  // error bound of a coordinate of n
+        exact::Point n;  // cross product of two edges
+        double n_error;  // error bound of each coordinate of n
         double length;   // length of n
         std::array<DifferenceVertex, 3> corners;
     };
     Face face(std::uint32_t i) const noexcept;
     std::uint32_t nearest() const noexcept { return nearest_; }
-    // Upper bound of the depth. It is proven if all vertices were scanned; otherwise it holds if the nearest face is in
-    // the plane of a face of the whole difference.
+    // Returns an upper bound of the depth. If is_upper_proven(), the bound is proven; otherwise it holds if the nearest
+    // face is in the plane of a face of the whole difference.
     double upper() const noexcept { return upper_; }
     bool is_upper_proven() const noexcept { return hulls_->is_scanned(0) && hulls_->is_scanned(1); }
 
-    // Calls visit(i) for each face unless it is proven to be further from the origin than upper() and to have the
-    // origin on its inner side.
+    // Calls visit(i) for each face, except faces that are proven to be further from the origin than upper() and to have
+    // the origin on their inner side.
     template <class Visit>
     void visit_near(Visit&& visit) const {
         for (std::uint32_t i = 0; i < face_count_; ++i) {
@@ -49,8 +50,9 @@ class InnerPolytope {
         }
     }
 
-    // Adds a vertex, which must be beyond some face. If doubles leave it open, is_beyond(face) must say if the vertex
-    // is strictly beyond that face's plane. Returns false if the border is too long.
+    // Adds a vertex, which must be strictly beyond some face. For a face whose plane doubles cannot compare with the
+    // vertex, is_beyond(face) must return true if the vertex is strictly beyond. Returns false if the border is too
+    // long.
     template <class IsBeyond>
     bool insert(const DifferenceVertex& v, IsBeyond&& is_beyond) {
         if (!has_space()) add_space();
@@ -91,7 +93,7 @@ class InnerPolytope {
     ECODS_ALWAYS_INLINE void set_face(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept;
     void remove_face(std::uint32_t i) noexcept;
     void add_space();
-    // True if the lists have space for a step; faces are read four at a time.
+    // True if the lists have space for one more step, with faces read four at a time.
     bool has_space() const noexcept {
         return face_count_ + border_max + 4 <= h_.size() && vertex_count_ + 8 <= vertices_.size();
     }
@@ -101,8 +103,8 @@ class InnerPolytope {
     const convex::PosedHulls* hulls_ = nullptr;
     RoundedBounds bounds_;
     std::vector<double> nx_, ny_, nz_, h_, length_;
-    std::vector<double> n_error_, h_error_;  // error bounds of a coordinate of n, and of h
-    std::vector<double> nearness_;           // -h / length; -infinity beyond the last face
+    std::vector<double> n_error_, h_error_;  // error bounds of each coordinate of n, and of h
+    std::vector<double> nearness_;           // -h / length; -infinity after the last face
     std::vector<std::array<std::uint32_t, 3>> corners_;
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> visible_;

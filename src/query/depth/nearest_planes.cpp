@@ -5,7 +5,7 @@
 namespace ecods::depths {
 namespace {
 
-// True if an ascending list contains a vertex.
+// True if the ascending list `level` contains the vertex.
 bool contains(const std::vector<std::uint32_t>& level, std::uint32_t v) noexcept {
     if (level.size() > 8) return std::ranges::binary_search(level, v);
     return std::ranges::find(level, v) != level.end();
@@ -17,7 +17,7 @@ FixedPlane::Vector NearestPlanes::point(std::size_t side, std::uint32_t vertex) 
     return hulls_->fixed({side, vertex});
 }
 
-// Lists all vertices that may be extreme along the face's exact normal.
+// Sets `level` to all vertices of a solid that may be extreme along the exact normal of the face.
 void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face, Level& level) {
     level.clear();
     const std::uint32_t start = face.corners[0].of(side);
@@ -27,10 +27,10 @@ void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face
     climb_to_level(side, heights, hulls_->support(side, n, start), level);
 }
 
-// Lists the vertices that may be extreme, for a solid that is not scanned. From a vertex `top` that is nearly extreme
-// it follows edges between vertices that may be extreme. All other neighbors of listed vertices are certainly less far.
-// So the exactly furthest listed vertex is as far as all its neighbors, or further, and hence extreme in the whole
-// solid; and edges between listed vertices connect it to all vertices that are as far.
+// Lists the vertices that may be extreme, for a solid that is not scanned. Begins at a vertex `top` that is nearly
+// extreme, and follows edges between vertices that may be extreme. All other neighbors of listed vertices are certainly
+// less far. So the exactly furthest listed vertex is at least as far as all its neighbors, and hence extreme in the
+// whole solid. Edges between listed vertices connect it to all vertices that are as far.
 void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::Heights& heights, std::uint32_t top,
                                    Level& level) {
     const convex::Hull& hull = hulls_->hull(side);
@@ -50,7 +50,7 @@ void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::H
     std::ranges::sort(level);
 }
 
-// A mark that no vertex has yet.
+// Returns a mark that no vertex has.
 std::uint32_t NearestPlanes::next_mark() noexcept {
     if (++mark_ == 0) {
         for (auto& marks : marks_) std::ranges::fill(marks, 0);
@@ -59,7 +59,7 @@ std::uint32_t NearestPlanes::next_mark() noexcept {
     return mark_;
 }
 
-// The vertex, the edge or the face that has exactly these vertices; nullopt if there is none.
+// Returns the vertex, edge or face whose vertices are exactly those of `level`; nullopt if there is none.
 std::optional<convex::HullFeature> NearestPlanes::feature_of(std::size_t side, const Level& level) const noexcept {
     const convex::Hull& hull = hulls_->hull(side);
     convex::LevelEdges edges;
@@ -77,10 +77,10 @@ std::optional<convex::HullFeature> NearestPlanes::feature_of(std::size_t side, c
     return is_face ? std::optional(feature) : std::nullopt;
 }
 
-// True if the plane certainly contains all vertices of these features, which are all vertices near it. The first
-// corner's vertices are in it. For an edge it suffices that a second vertex is in the plane, and for a face that a
-// second and a third one are, since no three vertices of a face are on one line. A vertex of one solid is known to be
-// in the plane if it makes a corner together with the other solid's vertex of the first corner.
+// Returns true if the plane certainly contains all vertices of these features, which are all vertices near it. The
+// first corner's vertices are in the plane. For an edge it suffices that a second vertex is, and for a face that a
+// second and a third vertex are, since no three vertices of a face are on one line. A vertex of one solid is known to
+// be in the plane if it forms a corner together with the vertex that the other solid has in the first corner.
 bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& features) const {
     const auto is = [&](Feature::Kind a, Feature::Kind b) { return features[0].kind == a && features[1].kind == b; };
     // Three vertices determine the plane of their two edges, or of their face.
@@ -109,8 +109,8 @@ bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& f
     return true;
 }
 
-// Returns the vertex furthest beyond a plane, given lists of the vertices near it. If no vertex is beyond, reduces the
-// lists to the vertices in the plane.
+// Returns the vertex furthest beyond the plane, among the vertices near it that levels_ lists. If no vertex is beyond,
+// returns nullopt and reduces the lists to the vertices in the plane.
 std::optional<DifferenceVertex> NearestPlanes::keep_ties(const Plane& plane) {
     auto& levels = levels_[plane.levels];
     if (!is_exact_) return keep_level(*pair_, plane.corners, levels);
@@ -136,7 +136,8 @@ FixedPlane NearestPlanes::plane_of(const std::array<DifferenceVertex, 3>& corner
     return {{difference(corners[0]), difference(corners[1]), difference(corners[2])}, hulls_->fixed_unit(), is_exact_};
 }
 
-// Keeps the plane of a face if it is the plane of a face of M. If it is not, `beyond` becomes a vertex beyond it.
+// Appends the plane of `face` to planes_ if it is the plane of a face of M, and returns in_plane. If it is not, returns
+// not_in_plane and sets `beyond` to a vertex beyond it. Returns thin or unknown if neither is proven.
 auto NearestPlanes::add(const InnerPolytope::Face& face, DifferenceVertex& beyond) -> Found {
     if (!(face.length > 4 * face.n_error)) return Found::thin;
     const std::size_t at = planes_.size();
@@ -170,7 +171,8 @@ bool NearestPlanes::is_beyond(const InnerPolytope::Face& face, const DifferenceV
     return plane.sign_along(exact::difference(difference(v), difference(face.corners[0]))) > 0;
 }
 
-// Finds the planes of all faces of S that may be nearest, except thin ones.
+// Fills planes_ with the planes of all faces of S that may be nearest, except thin faces, which go to thin_. Returns
+// false if it cannot prove them complete.
 bool NearestPlanes::find_planes(InnerPolytope& polytope) {
     for (int steps = 0; steps < steps_max; ++steps) {
         thin_.clear();
@@ -193,7 +195,7 @@ bool NearestPlanes::find_planes(InnerPolytope& polytope) {
     return false;
 }
 
-// True if each thin face is in a known plane, or further than the nearest plane.
+// True if each thin face is in a known plane, or is further than the nearest plane.
 bool NearestPlanes::thin_faces_are_further(const Plane& nearest) const {
     return std::ranges::all_of(thin_, [&](const auto& corners) {
         return is_in_known_plane(corners) || compare_exactly(*pair_, corners, nearest.corners) > 0;

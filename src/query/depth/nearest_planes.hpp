@@ -1,23 +1,24 @@
 // Proves which faces of the Minkowski difference are nearest to the origin, from the faces of a polytope in doubles.
 //
-// Theorem. Let S be the closed surface of an InnerPolytope, M the Minkowski difference, d >= 0, and let every face of S
+// Theorem. Let S be the closed surface of an InnerPolytope, M the Minkowski difference, and d >= 0. Let every face of S
 // either
-//     (1) have the origin strictly on its inner side, further than d from its plane, or
+//     (1) have the origin strictly on its inner side, and its plane further away than d, or
 //     (2) lie in the plane of a face of M, at a distance of d or more.
 // If some plane of (2) has the distance d, then the depth is d, and all planes of faces of M at that distance are among
 // the planes of (2).
 //
-// Proof. Let o be the origin, moved toward the inside of M by as little as need be if d = 0. It is strictly on the
-// inner side of all faces of S; for the faces of (2), because the inside of M is. So S winds around o a positive number
-// of times, and so it does around all points of the ball of radius d around the origin, which no face enters. Points
-// around which a surface winds are in the hull of its corners, and so in M. Hence the origin is in M, and no plane of a
-// face of M is nearer than d.
+// Proof. Let o be the origin; if d = 0, moved toward the interior of M by as little as needed. The point o is strictly
+// on the inner side of all faces of S; for the faces of (2), because the interior of M is. So S winds around o a
+// positive number of times. S winds equally often around all points of the ball of radius d around the origin, which no
+// face enters. Points around which a surface winds are in the hull of its corners, and so in M. Hence the origin is in
+// M, and no plane of a face of M is nearer than d.
 //
 // Now suppose that F is a face of M whose plane is at distance d and is none of (2). Let x be the point of that plane
-// nearest to the origin, or if d = 0 a point inside F as close to the origin as need be. It is on the border of M. But
-// it is strictly on the inner side of every face of S, or strictly inside the ball's closure and not on S: faces of (1)
-// are further away, and a plane of (2) that contains x contains it on the border of M, where it touches the ball, too,
-// and is the plane of F. So S winds around a neighborhood of x, which then is in M: x is not on the border of M.
+// nearest to the origin, or if d = 0 a point inside F as close to the origin as needed. It is on the border of M. But
+// it is strictly on the inner side of every face of S, or in the closed ball and not on S. For faces of (1) are further
+// away; and a plane of (2) that contains x contains it on the border of M, where it touches the ball, too, and so is
+// the plane of F. So S winds around a neighborhood of x, which then is in M: x is not on the border of M, a
+// contradiction.
 #pragma once
 
 #include <optional>
@@ -33,28 +34,28 @@ using exact::FixedPlane;
 
 class NearestPlanes {
   public:
-    // The nearest plane, the first one of ties, or an inner nullopt if the solids share no point. find() returns
-    // nullopt if it can prove neither.
+    // Returns the nearest plane (the first one of ties), or an inner nullopt if the solids share no point. Returns an
+    // outer nullopt if it can prove neither.
     //
-    // If a face of the polytope that may be nearest is in no plane of a face of M, find() adds a vertex beyond the
-    // face, in exact steps.
+    // If a face of the polytope may be nearest, but is in no plane of a face of M, a vertex beyond this face is added
+    // to the polytope. Such steps are exact.
     using Shown = std::optional<ExactDepth>;
     std::optional<Shown> find(const ConvexPair& pair, convex::PosedHulls& hulls, InnerPolytope& polytope);
 
   private:
-    // Vertices of a solid that are level with each other.
+    // Vertices of a solid that are equally far along a normal.
     using Level = std::vector<std::uint32_t>;
 
-    // The plane of a face of M, and the features of both solids that are in it.
+    // Holds the plane of a face of M, and the features of both solids that are in the plane.
     struct Plane {
         std::array<DifferenceVertex, 3> corners;
         FixedPlane fixed;
         DifferenceFace face;
         std::size_t levels;  // index in levels_
-        int side = 0;        // sign of its distance
+        int side = 0;        // sign of the plane's distance from the origin
     };
 
-    // The classification of a face of S.
+    // Classifies a face of S by its plane.
     enum class Found : std::uint8_t { in_plane, thin, not_in_plane, unknown };
 
     bool find_planes(InnerPolytope& polytope);
@@ -74,18 +75,18 @@ class NearestPlanes {
     int compare(const Plane& x, const Plane& y) const;
     FixedPlane::Vector point(std::size_t side, std::uint32_t vertex) const;
 
-    // Limit of the exact steps, after which integers alone take over.
+    // Limit of the number of exact steps; if it is reached, integers alone find the depth.
     static constexpr int steps_max = 64;
 
     const ConvexPair* pair_ = nullptr;
     convex::PosedHulls* hulls_ = nullptr;
-    bool is_exact_ = false;  // true if the points are exact
+    bool is_exact_ = false;  // true if the fixed points of both solids are exact
     std::vector<Plane> planes_;
-    // Faces of S that are too thin for a normal in doubles.
+    // Corners of faces of S that are too thin for a normal in doubles.
     std::vector<std::array<DifferenceVertex, 3>> thin_;
     std::array<std::vector<std::uint32_t>, 2> marks_;  // by vertex
     std::uint32_t mark_ = 0;
-    std::vector<std::array<Level, 2>> levels_;  // by plane; entries beyond them keep their memory
+    std::vector<std::array<Level, 2>> levels_;  // by plane; entries after the last plane keep their memory
 };
 
 }  // namespace ecods::depths

@@ -1,38 +1,39 @@
-// Searches for partings by heuristics. Nothing computed here has to be right, because solid_relation() confirms each
+// Searches for partings by heuristics. No computation here has to be right, because solid_relation() confirms each
 // result.
 #include "query/depth/parting_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ecods/cast.hpp"
+#include "query/cast/cast_until.hpp"
 #include "query/shape/mesh_tree.hpp"
+#include "query/solid/relations.hpp"
 
 namespace ecods::depths {
 namespace {
 
-// The number of directions that are tried, best ones first, and the number of contact normals that are followed from
+// The number of directions that are tried (best ones first), and the number of contact normals that are followed from
 // each.
 constexpr std::size_t direction_count_max = 6;
 constexpr int normal_count_max = 3;
 
-// The amounts by which a translation is lengthened until it parts the solids, relative to the numbers whose difference
-// it is.
+// The amounts by which a translation is lengthened, one after the other, until it parts the solids. They are relative
+// to the numbers whose difference the translation is.
 constexpr std::array<double, 6> margins{0, 0x1p-52, 0x1p-50, 0x1p-46, 0x1p-38, 0x1p-26};
 
-// The limits of the last part of a way, relative to it. A contact's time is known to 2^-52 of the way, so to 2^-46 of a
-// last part as short as `short_part`. For a part below `unknown_part` this may be too little to show if the way is
-// worth following.
+// Limits of the length of a path after the contact, relative to the whole path. A contact's time is known to 2^-52 of
+// the path, so to 2^-46 of a part as short as `short_part`. A part below `unknown_part` may be so short that its length
+// does not show whether the path is worth following.
 constexpr double short_part = 0x1p-6, unknown_part = 0x1p-20;
 
 const exact::MeshExtent& extent_of(const Posed<Solid>& solid) {
     return MeshShapeAccess::tree(*solid.what).extent;
 }
 
-// Upper bound of |v|: three quotients, their squares, a root and a product are off by less than 2^-48 of it.
+// Returns an upper bound of |v|. Three quotients, their squares, a root and a product are off by less than 2^-48 of it.
 double length_above(const Vec3& v) noexcept {
     const double most = v.cwiseAbs().maxCoeff();
-    // Below this, rounding errors are no longer relative to the number.
+    // Below 2^-900, rounding errors are no longer relative to the number.
     if (!(most >= 0x1p-900)) return std::isnan(most) ? std::numeric_limits<double>::infinity() : 0x1p-898;
     const Vec3 part = v / most;
     return most * (std::sqrt(part.dot(part)) * (1 + 0x1p-46));
@@ -90,11 +91,11 @@ void PartingSearch::try_length(const Vec3& direction, double length) {
     }
 }
 
-// Slides along a way up to the first contact. The time of a contact resolves 2^-53 of the way, which is as long as the
-// solids are large. If the contact comes in a short last part of the best way so far, it casts along that part once
-// more, allowing for the roundings of the longer cast; and so on, until the part is no longer short, or below a
-// rounding error of the smaller solid's size. If the other solid is 2^k times as large, these are up to k / 48 + 2
-// casts more.
+// Slides the second solid along a path from outside up to the first contact, and returns this contact. The time of a
+// contact resolves 2^-53 of the path, which is as long as the solids are large. If the path is the best so far, and the
+// part after the contact is short, casts again along that part alone, lengthened by the roundings of the longer cast.
+// This is repeated until the part is no longer short, or is below a rounding error of the smaller solid's size. If the
+// other solid is 2^k times as large, there are up to k / 48 + 2 more casts.
 std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
     double known = best_.length;
     std::optional<FirstContact> contact = slide_once(way);
@@ -105,7 +106,7 @@ std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
         known = best_.length;
         rest.reach *= part + 0x1p-48;
         const std::optional<FirstContact> again = slide_once(rest);
-        if (!again || !(again->time > 0)) break;  // the solids part nowhere in it
+        if (!again || !(again->time > 0)) break;  // the solids are nowhere apart in this part
         contact = again;
     }
     return contact;
@@ -115,7 +116,8 @@ std::optional<FirstContact> PartingSearch::slide_once(const Direction& way) {
     const Vec3 out = b_.pose.t + way.n * way.reach, motion = b_.pose.t - out;
     if (!out.allFinite() || !motion.allFinite()) return std::nullopt;
     const Posed<MeshShape> moved(*b_.what, {b_.pose.R, out});
-    const std::optional<FirstContact> contact = cast(moved, motion, Posed<MeshShape>(a_), 1, memory_);
+    PairWitness witness;
+    const std::optional<FirstContact> contact = cast_until(moved, motion, Posed<MeshShape>(a_), 1, memory_, witness);
     if (!contact) return std::nullopt;
     const double most = motion.norm();
     for (const double margin : margins) {
@@ -129,8 +131,8 @@ std::optional<FirstContact> PartingSearch::slide_once(const Direction& way) {
     return contact;
 }
 
-// A corner of a feature in contact, relative to its body's translation. In a contact the moving body comes first, which
-// is the second solid.
+// Returns corner i of the triangle of a contact feature, relative to its body's translation. `second` selects the
+// second solid. It is the moving one, so it comes first in the contact.
 Vec3 PartingSearch::corner(bool second, const FirstContact& contact, std::uint32_t i) const {
     const Posed<Solid>& solid = second ? b_ : a_;
     const Feature& f = second ? contact.a : contact.b;
@@ -138,19 +140,20 @@ Vec3 PartingSearch::corner(bool second, const FirstContact& contact, std::uint32
     return solid.pose.R * mesh.vertices()[mesh.triangles()[f.triangle][(f.corner + i) % 3]];
 }
 
-// The point where the solids touch, with the second one at the translation `parted`.
+// Returns the point where the solids touch while the second solid is at the translation `parted`.
 Vec3 PartingSearch::contact_point(const FirstContact& contact, const Vec3& parted) const {
     if (contact.b.kind == Feature::Kind::vertex) return corner(false, contact, 0) + a_.pose.t;
     const Vec3 p = corner(true, contact, 0) + parted;
     if (contact.kind != ClosestKind::edge_edge) return p;
-    // The point of the second solid's edge that is nearest to the line of the first one's edge.
+    // Returns the point of the second solid's edge that is nearest to the line of the first solid's edge.
     const Vec3 u = corner(true, contact, 1) - corner(true, contact, 0);
     const Vec3 v = corner(false, contact, 1) - corner(false, contact, 0), n = u.cross(v);
     const Vec3 w = corner(false, contact, 0) + a_.pose.t - p;
     return p + u * (w.cross(v).dot(n) / n.dot(n));
 }
 
-// The normal of the features that touch first, on the side to which the second solid goes out.
+// Returns the normal of the features that touch, on the side to which the second solid leaves; nullopt if they have
+// none.
 std::optional<Vec3> PartingSearch::contact_normal(const FirstContact& contact, const Vec3& along) const {
     const auto edge = [&](bool second, std::uint32_t i) -> Vec3 {
         return corner(second, contact, i) - corner(second, contact, 0);
@@ -192,7 +195,7 @@ void PartingSearch::search() {
             way = directions_.back();
         }
     }
-    // Tries the other directions until one is confirmed.
+    // Tries the other directions until one of them gives a parting that is confirmed.
     for (std::size_t i = count; i < directions_.size() && !has_found(); ++i) {
         slide(Direction(directions_[i]));
     }

@@ -1,5 +1,5 @@
-// Searches for a short translation of the second of two solids that parts their interiors, confirmed by
-// solid_relation().
+// Searches for a short translation of the second of two solids that parts their interiors. Every translation is
+// confirmed by solid_relation().
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace ecods::depths {
 
-// A translation for the pose of the second solid, and an upper bound of its distance from the translation that the pose
-// has.
+// Holds a translation for the pose of the second solid, and an upper bound of its distance from the pose's present
+// translation.
 struct Parting {
     Vec3 parted = Vec3::Zero();
     double length = std::numeric_limits<double>::infinity();
-    // A point near the middle of what the solids share at the place where they touch last, if it is known.
+    // A point near the middle of the region that the solids share where they touch last, if it is known.
     std::optional<Vec3> middle = {};
 };
 
@@ -28,17 +28,17 @@ class PartingSearch {
     const Parting& best() const noexcept { return best_; }
     bool has_found() const noexcept { return best_.length < std::numeric_limits<double>::infinity(); }
 
-    // Tries to part the solids by moving the second one along a direction, by `length` or a little more.
+    // Tries to part the solids by moving the second one along a unit vector, by `length` or a little more.
     void try_length(const Vec3& direction, double length);
 
-    // Slides the second solid in from outside, along likely directions, up to the first contact; then along the normals
-    // of the contacts found.
+    // Slides the second solid in from outside, along likely directions, up to the first contact. Then slides it along
+    // the normals of the contacts found.
     void search();
 
   private:
     struct Direction {
         Vec3 n;
-        double reach;  // length of the translation at which the boxes are apart
+        double reach;  // length of a translation along n after which the boxes are apart
     };
 
     void add_direction(const Vec3& n);
@@ -54,7 +54,7 @@ class PartingSearch {
     const Posed<Solid>& b_;
     QueryMemory& memory_;
     std::array<Vec3, 2> centers_;  // centers of the meshes' posed boxes
-    double way_min_;               // ways up to this length are not refined
+    double way_min_;               // paths up to this length are not refined
     std::vector<Direction> directions_;
     Parting best_;
 };

@@ -1,17 +1,16 @@
 // Finds pairs of close features from pairs of close triangles.
 //
-// The distance of two triangles is at most that of any two of their features. So if two features are within d, every
-// pair of triangles that has them is within d, too, and is found. The triangles found thus include all that can name a
-// feature, and the rest of the mesh is not read.
+// The distance of two triangles is at most the distance of any two of their features. So if two features are within d,
+// every pair of triangles that has these features is within d, too, and is found. So the triangles found include all
+// that can name one of these features, and the rest of the mesh need not be read.
 #include <algorithm>
 #include <cstdint>
 
 #include "base/limits.hpp"
-#include "ecods/distance.hpp"
-#include "ecods/intersection.hpp"
 #include "geometry/feature_key.hpp"
 #include "query/distance/distance_search.hpp"
 #include "query/distance/least_names.hpp"
+#include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
 
 namespace ecods {
@@ -44,8 +43,8 @@ LeastNames least_names(const Mesh& mesh, const std::vector<FeatureNames>& found,
 
 }  // namespace
 
-std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
-                                          const Ask& ask) {
+std::vector<CloseFeatures> surface::close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                                   double max_distance, const Ask& ask) {
     require_finite_distance(max_distance);
     Asking asking(ask);
     DistanceSearch search(a, b, asking.memory());

@@ -2,14 +2,14 @@
 #include <array>
 
 #include "base/limits.hpp"
-#include "ecods/distance.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
 
 namespace ecods {
 
-std::vector<ClosestPoints> close_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
-                                           const Ask& ask) {
+std::vector<ClosestPoints> surface::close_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                                    double max_distance, const Ask& ask) {
     require_finite_distance(max_distance);
     Asking asking(ask);
     std::vector<ClosestPoints> result;

@@ -1,21 +1,21 @@
-#include "ecods/distance.hpp"
-#include "ecods/intersection.hpp"
 #include "geometry/feature_key.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
+#include "query/intersection/surface_intersection.hpp"
 
 namespace ecods {
 namespace {
 
 ClosestPoints closest_of_intersecting(const Posed<MeshShape>& a, const Posed<MeshShape>& b, DistanceSearch& search,
                                       QueryMemory& memory) {
-    const TrianglePair first = intersecting_triangles(a, b, memory).front();
+    const TrianglePair first = surface::intersecting_triangles(a, b, memory).front();
     return search.exact_pair().closest(first.a, first.b);
 }
 
 }  // namespace
 
-ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+ClosestPoints surface::closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
     DistanceSearch search(a, b, memory);
@@ -24,8 +24,8 @@ ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, cons
     if (search.sieve().is_zero()) {
         result = closest_of_intersecting(a, b, search, memory);
     } else {
-        // The open pairs contain every pair of triangles at the least distance, or a pair with the same features that
-        // comes before it in the order of triangles.
+        // Every pair of triangles at the least distance is open, or an open pair that has the same features precedes it
+        // in the order of triangles.
         const auto& open = search.sieve().keep_least(
             [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });
         result = search.exact_pair().closest(open[0].triangles.a, open[0].triangles.b);

@@ -1,13 +1,12 @@
-#include "ecods/distance.hpp"
-
 #include "base/limits.hpp"
-#include "ecods/intersection.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
+#include "query/intersection/surface_intersection.hpp"
 
 namespace ecods {
 
-double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+double surface::distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     Asking asking(ask);
     DistanceSearch search(a, b, asking.memory());
     const double result = search.find_distance(asking.witness());
@@ -15,13 +14,13 @@ double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask&
     return result;
 }
 
-// Compares keys, in whose order NaN lies beyond the infinities.
-bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
+// Compares distances by their keys, in whose order NaN lies beyond the infinities.
+bool surface::within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
     const double d = max_distance;
     require_distance(d);
     const std::int64_t key = key_of(d);
     if (key == infinity_key) return true;
-    if (key == 0) return intersects(a, b, ask);
+    if (key == 0) return surface::intersects(a, b, ask);
     Asking asking(ask);
     PairWitness& witness = asking.witness();
     DistanceSearch search(a, b, asking.memory());

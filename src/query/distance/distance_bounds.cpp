@@ -3,8 +3,8 @@
 
 #include "base/limits.hpp"
 #include "base/next.hpp"
-#include "ecods/distance.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
 
 namespace ecods {
@@ -17,8 +17,9 @@ double least(double x, double y) {
     return key_of(x) < key_of(y) ? x : y;
 }
 
-// True if certainly upper - lower <= max(absolute, relative * lower), or if the bounds are equal or adjacent doubles.
-// The difference and the product are each off by u' = 2^-52.
+// Returns true if certainly upper - lower <= max(absolute, relative * lower), or if the bounds are equal or adjacent
+// doubles. The relative error of the difference and of each product is at most u' = 2^-52.
+// Claim: verify/proofs/small_bounds.py
 bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
     if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
     if (key_of(bounds.upper) == key_of(infinity)) return false;
@@ -27,8 +28,9 @@ bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance)
     return width <= std::max(tolerance.absolute, tolerance.relative * bounds.lower);
 }
 
-// The adjacent doubles around the least distance; both are the distance if it is a double. Distances that round to the
-// same double may lie on either side of it, so each open pair is compared with it, unless its lower bound suffices.
+// Returns the adjacent doubles around the least distance, or the distance twice if it is a double. Unrounded distances
+// of several pairs may lie on both sides of the double to which they round. So each open pair is compared with this
+// double, unless its lower bound suffices.
 DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
     const double rounded = search.round_least();
     witness = search.sieve().nearest();
@@ -43,7 +45,7 @@ DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
     return sign > 0 ? DistanceBounds{rounded, next_up(rounded)} : DistanceBounds{next_down(rounded), rounded};
 }
 
-// The bounds that doubles prove. Pairs that the search left out are beyond the floor, or beyond at_most.
+// Returns the bounds that follow from the intervals. Pairs that the search dropped are beyond the floor or at_most.
 DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
     double lower = least(search.sieve().floor(), at_most);
     for (const DistanceSieve::Open& open : search.sieve().open()) lower = least(lower, open.interval.lower);
@@ -52,16 +54,14 @@ DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
 
 }  // namespace
 
-DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
-                               const Ask& ask) {
-    require_distance(tolerance.relative);
-    require_distance(tolerance.absolute);
-    require_distance(tolerance.max_distance);
+DistanceBounds surface::distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                        const DistanceTolerance& tolerance, const Ask& ask) {
+    require_valid(tolerance);
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
     PairWitness& witness = asking.witness();
-    // Pairs beyond `limit` are left out, and `limit` is above max_distance: if all are, the lower bound is above
-    // max_distance.
+    // The search may drop pairs beyond `limit`. Since `limit` is above max_distance, the lower bound is above
+    // max_distance, too, if all pairs are dropped.
     const double limit = next_up(tolerance.max_distance);
     {
         DistanceSearch search(a, b, memory);
@@ -80,7 +80,8 @@ DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>
     if (search.sieve().is_zero()) return {0, 0};
     if (search.sieve().open().empty()) return {limit, infinity};
     const DistanceBounds bounds = adjacent_bounds(search, witness);
-    // The nearest open pair is beyond the limit. Pairs that were left out may be nearer, but are beyond the limit, too.
+    // If the nearest open pair is beyond the limit, a pair that was dropped may be nearer, but it is beyond the limit,
+    // too.
     if (key_of(bounds.lower) > key_of(limit)) return {limit, infinity};
     return bounds;
 }

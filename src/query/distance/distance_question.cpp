@@ -58,7 +58,7 @@ bool DistanceQuestion::refer_to(const TrianglePair& triangles) {
 
 void DistanceQuestion::gather(Search& search, const TreeLeaf& x, const TreeLeaf& y, LanePairs lanes,
                               const LaneBounds&) {
-    // If bodies are far apart, floats bound two triangles no better than the nodes that hold them.
+    // If the bodies are far apart, floats bound the distance of two triangles no better than that of their leaves.
     if (is_far()) return search.take_each(x, y, lanes);
     if (!lanes.more()) return;
     put_on_axes(axes_.sets()[0], x, y, leaves_);
@@ -70,7 +70,7 @@ void DistanceQuestion::gather(Search& search, const TreeLeaf& x, const TreeLeaf&
     }
 }
 
-// Bounds the batched pairs of triangles.
+// Bounds the distances of the pairs in the batch, takes each pair, and empties the batch.
 void DistanceQuestion::bound_batch(Search& search) {
     counts_->distances.triangle_bounds += batch_.count;
     bound_triangles(axes_.sets()[0], batch_, squares_);
@@ -78,12 +78,12 @@ void DistanceQuestion::bound_batch(Search& search) {
     batch_.count = 0;
 }
 
-// Takes a pair with its bounds in floats. If floats bound it only by zero, doubles enclose it at once, so that common
-// points are noticed early. Other pairs become candidates if they are within the limit.
+// Takes a pair whose squared distance floats have bounded. If the lower bound is zero, doubles enclose the distance at
+// once, so that a common point is noticed early. Otherwise the pair becomes a candidate, unless it is beyond the limit.
 void DistanceQuestion::take(Search& search, std::size_t lane) {
     const TrianglePair& triangles = batch_.pairs[lane];
     const float lower = squares_.lower[lane], upper = squares_.upper[lane];
-    // The direction is set even by pairs beyond the limit: along it a walk proves soonest that nothing is within the
+    // Pairs beyond the limit may set the direction, too: along it, a walk proves soonest that all pairs are beyond the
     // limit.
     if (upper < direction_square_ && upper > 0) set_direction(lane);
     if (lower > search.limit()) return;
@@ -100,15 +100,15 @@ void DistanceQuestion::set_direction(std::size_t lane) {
     }
 }
 
-// Encloses the candidates once all nodes have been visited.
+// Does nothing until all nodes have been visited (`bound` is then infinite); then encloses the candidates.
 void DistanceQuestion::advance(Search& search, float bound) {
     if (bound < std::numeric_limits<float>::infinity()) return;
     bound_batch(search);
     if (!search.sieve().is_decided()) enclose_candidates(search);
 }
 
-// Encloses candidates in ascending order of their lower bounds, until the rest is beyond the limit. If a slab can
-// exclude pairs, the nearest pair is measured exactly first, to set the slab.
+// Encloses candidates in ascending order of their lower bounds, until all others are beyond the limit. If pairs may be
+// excluded by a slab, first computes the exact distance of the nearest pair so far, which sets the slab.
 void DistanceQuestion::enclose_candidates(Search& search) {
     if (excludes_) {
         const TrianglePair nearest{search.sieve().nearest().a, search.sieve().nearest().b};

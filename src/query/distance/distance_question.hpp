@@ -1,4 +1,4 @@
-// Makes the distances of pairs of triangles the numbers that a search compares (query/search).
+// DistanceQuestion is the PairQuestion (query/search) whose numbers are the distances of pairs of triangles.
 #pragma once
 
 #include <array>
@@ -21,24 +21,26 @@ class DistanceQuestion {
     using Value = double;
     using Search = ecods::Search<DistanceQuestion>;
 
-    // Everything that the arguments refer to must outlive this. Excludes no pairs until exclude() is called.
+    // Everything that the arguments refer to must outlive this object. No pair is excluded until exclude() is called.
     void bind(const MeshPair& bodies, QueryCounts& counts);
-    // Lets the search exclude pairs that are certainly not nearer than another pair, if TriangleDistances supports it.
-    // For queries that need only the least distance, not the pairs that have it.
+    // Lets the search exclude pairs that are certainly not nearer than another pair, if the coordinates allow it. Call
+    // only if the query needs the least distance alone, not all the pairs that have it.
     void exclude() noexcept { excludes_ = pair_.can_refer(); }
 
-    // True if the bodies are so far apart that floats know only the positions of nodes along the gap.
+    // True if the bodies are so far apart that floats can only order nodes by their positions along the gap.
     bool is_far() const noexcept { return far_.is_far(); }
-    // Descends from the roots to two triangles that are probably among the nearest.
+    // Returns two triangles that are probably among the nearest, by descending from the roots.
     TrianglePair dive(const MeshPair& bodies);
     TriangleDistances& pair() noexcept { return pair_; }
-    // Counts one exact rounding or comparison, and returns the object that makes it.
+    // Counts one exact operation, and returns the object that performs it. Call it once for each rounding or
+    // comparison.
     TriangleDistances& exact_pair() noexcept {
         ++counts_->distances.exact;
         return pair_;
     }
 
-    // The functions that a search calls. Bounds are squared distances, or ranks if the bodies are far apart.
+    // The search calls the following functions. Bounds are squared distances, or FarGap's ranks if the bodies are far
+    // apart.
     float limit_above(double distance) const noexcept {
         return is_far() ? far_.rank_above(distance) : axes_.square_above(distance);
     }
@@ -71,15 +73,15 @@ class DistanceQuestion {
     FarGap far_;
     QueryCounts* counts_ = nullptr;
     bool excludes_ = false;
-    std::optional<TrianglePair> referred_;  // the pair that pair_ compares others with
-    // The direction from the nearest triangle of a to that of b, as far as floats know, and the squared distance on the
-    // axes of the first set.
+    std::optional<TrianglePair> referred_;  // the pair with which pair_ compares others
+    // The approximate direction, in floats, from the nearest triangle of a to the nearest triangle of b so far, and
+    // their squared distance on the axes of the first set.
     Direction direction_{};
     float direction_square_ = std::numeric_limits<float>::infinity();
     LeavesOnAxes leaves_{};
     TriangleBatch batch_{};
     TriangleSquares squares_{};
-    std::vector<Candidate> candidates_;  // pairs left for doubles
+    std::vector<Candidate> candidates_;  // pairs that doubles have not enclosed yet
 };
 
 }  // namespace ecods

@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// The witness of a pair that was not within a distance: no triangle, and the number of an axis (query/intersection).
-// The next query begins at the roots, because measuring two triangles first would be in vain.
+// The witness of a pair that was not within a distance. It names no triangle, and its `b` is the number of an axis
+// (query/intersection). It lets the next query begin at the roots: to try two triangles first would be in vain.
 inline constexpr PairWitness apart_witness{.a = PairWitness::none, .b = 0};
 constexpr bool is_apart(const PairWitness& witness) noexcept {
     return witness.a == PairWitness::none && witness.b != PairWitness::none;
@@ -25,11 +25,11 @@ class DistanceSearch {
     DistanceSearch(const DistanceSearch&) = delete;
     DistanceSearch& operator=(const DistanceSearch&) = delete;
 
-    // Tries the witness's triangles first, then searches the trees. The sieve then holds the result (query/search).
+    // Tries the witness's triangles first, then searches the trees. Afterwards sieve() holds the result (query/search).
     void run(const SearchGoal& goal, const PairWitness& witness);
-    // Searches for the least distance and rounds it once; 0 if the bodies share a point.
+    // Searches for the least distance, and returns it rounded once; returns 0 if the bodies share a point.
     double find_distance(const PairWitness& witness);
-    // Rounds the least distance of the open pairs once. Requires at least one open pair after run().
+    // Returns the least distance of the open pairs, rounded once. Call after run(), only if a pair is open.
     double round_least();
 
     // Calls visit(pair, interval) for every pair of triangles within d; `interval` contains the pair's distance.
@@ -37,7 +37,8 @@ class DistanceSearch {
     void visit_within(double d, Visit&& visit);
 
     DistanceSieve& sieve() noexcept { return working_.sieve; }
-    // Counts one exact rounding or comparison, and returns the object that makes it.
+    // Counts one exact operation, and returns the object that performs it. Call it once for each rounding or
+    // comparison.
     TriangleDistances& exact_pair() noexcept { return question_.exact_pair(); }
 
   private:

@@ -1,15 +1,16 @@
-#include "ecods/distance.hpp"
-#include "ecods/intersection.hpp"
 #include "query/distance/distance_search.hpp"
+#include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/intersection/surface_intersection.hpp"
 
 namespace ecods {
 
-std::vector<TriangleIntersection> intersections(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+std::vector<TriangleIntersection> surface::intersections(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                                         const Ask& ask) {
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
-    const auto pairs = as_part(memory, [&] { return intersecting_triangles(a, b, memory); });
+    const auto pairs = as_part(memory, [&] { return surface::intersecting_triangles(a, b, memory); });
     std::vector<TriangleIntersection> result;
     if (pairs.empty()) return result;
     result.reserve(pairs.size());

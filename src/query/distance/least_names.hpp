@@ -1,4 +1,5 @@
-// Finds the least triangle and corner that name a vertex or an edge, among given triangles of a mesh.
+// Finds the name of a vertex or an edge: the least triangle, among given triangles of a mesh, that has it, and its
+// corner.
 #pragma once
 
 #include <array>
@@ -12,21 +13,23 @@ namespace ecods {
 
 class LeastNames {
   public:
-    // `triangles` may be in any order and repeat. Cost: sorting their corners; the rest of the mesh is not read.
+    // `triangles` may be in any order and contain duplicates. Cost: sorting their corners; other triangles are not
+    // read.
     LeastNames(const Mesh& mesh, std::vector<std::uint32_t> triangles);
 
-    // The least triangle and corner, among the given triangles, that name the vertex or edge `feature`. It must be a
-    // feature of one of them. A face keeps its name.
+    // Returns the vertex or edge `feature` with its least name: the least of the given triangles that has it, and the
+    // least corner there. One of the given triangles must have the feature. A face is returned as it is.
     Feature operator()(const Feature& feature) const;
 
   private:
-    // The coordinates of a vertex, as keys in the order of doubles (base/double_key.hpp), which has one zero.
+    // The coordinates of a vertex as integer keys, which are ordered like doubles, and have a single zero
+    // (base/double_key.hpp).
     using Place = std::array<std::int64_t, 3>;
     struct Vertex {
         Place place;
         std::uint32_t triangle, corner;
     };
-    // An edge; its ends are indices of vertices_, the lesser first.
+    // Holds an edge: the indices of its ends in vertices_, the lesser first, and its least name.
     struct Edge {
         std::array<std::uint32_t, 2> ends;
         std::uint32_t triangle, corner;

@@ -18,14 +18,15 @@
 
 namespace ecods {
 
-// An interval that contains a distance. Pairs of triangles with the same closest features have the same distance, of
-// which a search rounds one.
+// Holds an interval that contains the distance of two triangles. Pairs with the same closest features have the same
+// distance, so a search needs to round it for only one of them.
 struct DistanceInterval {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
 
-    // True if the signs that determine the closest features are all certain: the distance is exactly that of features a
-    // and b. They hold the only closest points of the two triangles, and are the features of lowest dimension that do.
+    // True if all signs that determine the closest features are certain. The distance is then exactly the distance of
+    // features a and b. These contain the only closest points of the two triangles, and no features of lower dimension
+    // do.
     bool is_certain = false;
     ClosestKind kind = ClosestKind::intersecting;
     FeatureKey a, b;
@@ -33,50 +34,51 @@ struct DistanceInterval {
 
 class TriangleDistances {
   public:
-    // Cost: constant. Everything that the arguments refer to must outlive this.
+    // Cost: constant. Everything that the arguments refer to must outlive this object.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
 
-    // An interval that contains the distance of triangle `i` of the first mesh and `j` of the second, from doubles with
-    // proven bounds. `lower` is 0 unless more is proven.
+    // Returns an interval, with bounds that doubles prove, that contains the distance of triangle `i` of the first mesh
+    // and triangle `j` of the second. `lower` is 0 unless a greater bound is proven.
     DistanceInterval enclose(std::uint32_t i, std::uint32_t j);
 
-    // The distance, rounded once; exactly 0 if and only if the triangles share a point.
+    // Returns the distance of triangles i and j, rounded once. It is exactly 0 if and only if they share a point.
     double distance(std::uint32_t i, std::uint32_t j);
 
-    // The sign of (the real distance of a pair of triangles) - d, for a double d >= 0.
+    // Returns the sign of (the real distance of triangles i and j) - d, for a double d >= 0.
     int compare(std::uint32_t i, std::uint32_t j, double d);
 
-    // The sign of (the real distance of the first pair) - (that of the second pair).
+    // Returns the sign of (the real distance of the first pair) - (the real distance of the second pair).
     int compare(const TrianglePair& first, const TrianglePair& second);
 
-    // True if is_not_nearer can succeed: the coordinates fit into two limbs.
+    // True if is_not_nearer() can return true: all coordinates fit into two limbs.
     bool can_refer() const noexcept { return points_.is_exact(); }
-    // Sets the pair of triangles, which do not meet, that is_not_nearer compares with.
+    // Sets the pair of triangles that is_not_nearer() compares with. The two must not share a point.
     void refer_to(const TrianglePair& pair);
-    // True if the distance of `pair` is certainly not less than that of the pair given to refer_to. False proves
-    // nothing. For pairs that may tie with that pair, or share its features, the answer is mostly true. Cost: some
-    // nanoseconds, and 0.1 microseconds for each new vertex.
+    // True if `pair` is certainly at least as far apart as the pair given to refer_to(); false proves nothing. For a
+    // pair that may tie with that one, or shares its features, the answer is usually true. Cost: some nanoseconds, and
+    // 0.1 microseconds for each new vertex.
     bool is_not_nearer(const TrianglePair& pair);
 
-    // The closest points of a pair of triangles, chosen by the rule of ClosestPoints.
+    // Returns the closest points of triangles i and j. If there are several, the rule of ClosestPoints chooses.
     ClosestPoints closest(std::uint32_t i, std::uint32_t j);
 
-    // Appends the pairs of features for which close_features() lists a pair of triangles. The first one is chosen by
-    // the rule of ClosestPoints.
+    // Appends to `to` the pairs of features of triangles i and j that close_features() lists. The first appended pair
+    // is the one that the rule of ClosestPoints chooses.
     void add_features(std::uint32_t i, std::uint32_t j, std::vector<FeatureNames>& to);
-    // The distance, points and direction of two features of a pair of triangles, whichever triangles name them.
+    // Returns the distance, points and direction of two features. The result does not depend on the triangles that name
+    // them.
     CloseFeatures measure(const FeatureNames& features);
 
-    // The common points of two triangles; without corners if there are none.
+    // Returns the points that triangles i and j share; a set without corners if they share none.
     SharedSet intersection(std::uint32_t i, std::uint32_t j);
 
   private:
-    // The exact distance of a pair of triangles, kept for the next calls.
+    // Caches the exact distance of a pair of triangles for later calls.
     struct Measured {
         TrianglePair pair;
         bool is_known = false;
         exact::SquaredDistance square;
-        exact::FeaturePair features;  // features that hold closest points, unless the square is zero
+        exact::FeaturePair features;  // features with closest points; not set if the square is zero
     };
 
     exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);

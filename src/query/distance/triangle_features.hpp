@@ -1,4 +1,4 @@
-// Gives exact queries the points of two triangles in the narrowest integers that hold them.
+// Converts the points of two triangles to the narrowest integers that hold them, for exact queries.
 #pragma once
 
 #include "exact/measure/distance/enclose_distance.hpp"
@@ -14,8 +14,9 @@ ECODS_ALWAYS_INLINE exact::IntegerPair TriangleDistances::integers(std::uint32_t
     return exact::integer_pair(points_, triangles_[0][i], triangles_[1][j]);
 }
 
-// Calls use(points, features, guess) with the points of two triangles in the narrowest kernel that holds them. A guess
-// that doubles prove is marked as certain, so that integers need not prove it.
+// Calls use(points, features, guess) with the corners of two triangles as integers of the narrowest kernel that holds
+// them. `guess` names the probable closest features. It is marked as certain if doubles prove it, so that integers need
+// not.
 template <class Use>
 auto TriangleDistances::with_features(std::uint32_t i, std::uint32_t j, Use&& use) {
     const exact::IntegerPair pair = integers(i, j);

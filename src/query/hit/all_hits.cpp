@@ -9,7 +9,7 @@
 namespace ecods {
 
 struct AllHits::State {
-    // An item is a hit, and the place in `limbs` of its exact parameter.
+    // Holds a hit, and where `limbs` has its exact parameter: from `begin` on, the numerator and then the denominator.
     struct Item {
         KeyedHit hit;
         std::size_t begin, num_size, den_size;
@@ -32,8 +32,8 @@ struct AllHits::State {
         const exact::NaturalSpan all = limbs;
         return {all.subspan(item.begin, item.num_size), all.subspan(item.begin + item.num_size, item.den_size)};
     }
-    // Compares rounded parameters first: rounding is monotone, so two that differ have the order of the real
-    // parameters.
+    // Returns the order of the real parameters of a and b. Compares rounded parameters first: rounding is monotone, so
+    // if these differ, the real parameters have the same order.
     int compare(const Item& a, const Item& b) const noexcept {
         const std::int64_t x = key_of(a.hit.hit.parameter), y = key_of(b.hit.hit.parameter);
         if (x != y) return x < y ? -1 : 1;
@@ -51,7 +51,7 @@ struct AllHits::State {
 AllHits::AllHits(const Line& line, QueryMemory& memory) : state_(std::make_unique<State>(line, memory)) {}
 AllHits::~AllHits() = default;
 
-// Collects every triangle that is hit, in a walk that leaves out nothing.
+// Collects the hits of all triangles that the line hits; its limit leaves out no part of the line.
 class AllHits::Collector {
   public:
     Collector(State& state, const Mesh& mesh, std::uint64_t key) : state_(state), mesh_(mesh), key_(key) {}

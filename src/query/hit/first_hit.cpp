@@ -10,8 +10,9 @@
 namespace ecods {
 namespace {
 
-// Finds the least hit of one body with a line, up to a limit. Doubles decide among triangles that are certainly hit
-// inside their faces. Other triangles are decided in integers as they come, and the least hit of these is kept.
+// Finds the least hit of one body with a line, up to a limit. Triangles that are certainly hit inside their faces are
+// collected with bounds in doubles, and compared exactly at the end. Other triangles are decided in integers at once,
+// and the least hit of these is kept.
 class BodySearch {
   public:
     BodySearch(const Posed<MeshShape>& body, HitMemory& memory, const ScaledLine& line, double limit, HitCounts& counts)
@@ -25,10 +26,10 @@ class BodySearch {
         faces_.start({.at_most = limit});
     }
 
-    // Returns an upper bound of the scaled parameter of the least hit, of this body and of earlier ones.
+    // Returns an upper bound of the scaled parameter of the least hit, of this body and of the bodies asked earlier.
     double parameter_limit() const noexcept { return faces_.bound(); }
 
-    // Makes a triangle the first to be tried. It is not tried if floats exclude all triangles.
+    // Makes the walk try this triangle first. If floats exclude all triangles, it is not tried at all.
     void try_first(std::uint32_t triangle) noexcept { waiting_ = triangle; }
 
     void walk(LineAxes::Place place) {
@@ -37,7 +38,7 @@ class BodySearch {
         memory_.walk(body_, place, *this);
     }
 
-    // walk_line calls these functions.
+    // walk_line() calls the following functions.
     float limit() const noexcept { return ratio_; }
     void visit_node() noexcept { ++box_tests_; }
     void visit(const TreeLeaf& leaf, const FoundInLeaf& found) {
@@ -60,12 +61,13 @@ class BodySearch {
     void visit(std::uint32_t triangle) { visit(triangle, triangles_[triangle]); }
     void visit(std::uint32_t triangle, const Triangle& vertices);
 
-    // Leaves out faces that doubles prove not to be hit first. Call it when all triangles have been visited.
+    // Drops faces that doubles prove not to be hit first. Call it when all triangles have been visited.
     void settle();
-    // Sets the rounded hit of the only candidate and returns true, if that is a face. Returns false if there are other
-    // candidates, or if the hit cannot be rounded cheaply.
+    // If the only candidate is a face, and its hit can be rounded cheaply, sets `hit` to it and returns true. Otherwise
+    // returns false.
     bool round_only_face(Hit& hit);
-    // Compares the candidates that are left. Returns true if there is a hit: memory.own, of triangle().
+    // Compares the remaining candidates exactly. Returns true if there is a hit; memory.own is then the least hit, of
+    // triangle().
     bool finish();
     std::uint32_t triangle() const noexcept { return least_; }
     std::uint64_t box_tests() const noexcept { return box_tests_; }
@@ -77,13 +79,13 @@ class BodySearch {
     void take_upper(double upper, std::uint32_t triangle) noexcept {
         if (faces_.take_upper(upper, {triangle, 0})) set_ratio();
     }
-    // Tries the waiting triangle. When the walk comes to it again, it is skipped.
+    // Tries the waiting triangle, and records it in tried_, so that the walk will skip it.
     void try_waiting() {
         if (waiting_ == none) return;
         tried_ = std::exchange(waiting_, none);
         visit(tried_);
     }
-    // Takes a triangle that is certainly hit inside its face.
+    // Adds a triangle that is certainly hit inside its face, at a parameter from `lower` to `upper`.
     void take_face(std::uint32_t triangle, const Triangle& vertices, double lower, double upper) {
         if (!faces_.counts(lower)) return;
         for (const std::uint32_t vertex : vertices) __builtin_prefetch(&vertices_[vertex]);
@@ -108,12 +110,13 @@ class BodySearch {
     std::uint64_t box_tests_ = 0;
     std::uint32_t waiting_ = none;
     std::uint32_t tried_ = none;
-    std::uint32_t least_ = none;  // the triangle of memory.own
-    // The feature that holds the first point of memory.own, by its vertices in the mesh: one vertex, the two of an
-    // edge, or none if it is not known.
+    std::uint32_t least_ = none;  // triangle of memory.own
+    // The feature at whose point the line enters the triangle of memory.own, as vertices of the mesh: one vertex, or
+    // the two of an edge; `none` if it is not known.
     std::array<std::uint32_t, 2> shared_{none, none};
-    // The vertices of an edge along which the line runs from that point on, and which is all that it shares with some
-    // triangle: the edge of memory.own if that runs along an edge; none if no such edge is known.
+    // The two vertices of an edge along which the line runs from the entry point on, where the line shares nothing else
+    // with some triangle of this edge. It is the edge of memory.own if that hit runs along an edge; `none` if no such
+    // edge is known.
     std::array<std::uint32_t, 2> along_{none, none};
 };
 
@@ -140,12 +143,12 @@ void BodySearch::decide(std::uint32_t triangle, const Triangle& vertices, const 
     take_upper(upper, triangle);
 }
 
-// Keeps memory.other, the hit of this triangle, if it is the least so far.
+// Makes memory.other, the hit of this triangle, the least hit memory.own, unless an earlier one is less.
 void BodySearch::keep_least(std::uint32_t triangle, const Triangle& corners) noexcept {
     const int order = least_ == none ? -1 : compare(memory_.other->enter.ref(), memory_.own->enter.ref());
     if (order > 0) return;
-    // At an equal parameter both stay valid: the vertex or edge at the entry is there for every triangle that is hit
-    // there.
+    // At an equal parameter, shared_ and along_ stay valid: every triangle with this vertex or edge is hit at that
+    // parameter.
     if (order < 0) shared_ = along_ = {none, none};
     const exact::LineHit& hit = *memory_.other;
     const bool is_kept = triangle < least_ || order < 0;
@@ -166,7 +169,7 @@ void BodySearch::set_shared(const Triangle& corners, const exact::LineHit& hit) 
     }
 }
 
-// Returns the corner at which the triangle's edge with these vertices begins; 3 if it has no such edge.
+// Returns the corner at which the triangle's edge with these two vertices begins; 3 if the triangle has no such edge.
 std::uint32_t find_edge(const Triangle& corners, const std::array<std::uint32_t, 2>& edge) noexcept {
     for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t p = corners[i], q = corners[(i + 1) % 3];
@@ -175,15 +178,16 @@ std::uint32_t find_edge(const Triangle& corners, const std::array<std::uint32_t,
     return 3;
 }
 
-// Makes a triangle the least one; it is hit at the parameter of the least hit so far.
+// Makes this triangle the one with the least hit. Call only if it is hit at the parameter of the least hit so far.
 void BodySearch::take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept {
     least_ = triangle;
     memory_.own->feature = feature;
     memory_.own->corner = corner;
 }
 
-// True if the triangle has the vertex or edge at which the least one is hit first. The line crosses the plane of the
-// triangle, so it hits the triangle there and nowhere else: at the same parameter, without any computation.
+// Returns true if the triangle has the vertex or edge shared_, at which the line enters the triangle of the least hit.
+// Call only if the line crosses the triangle's plane. The line then hits the triangle there and nowhere else, so both
+// hits have the same parameter, and no computation is needed.
 bool BodySearch::ties_at_shared(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (shared_[0] == none) return false;
     const bool is_vertex = shared_[1] == none;
@@ -197,15 +201,15 @@ bool BodySearch::ties_at_shared(std::uint32_t triangle, const Triangle& corners)
     return true;
 }
 
-// True if the triangle has the edge along which the line runs, and so is decided. Its corners are not on one line, so
-// it shares with the line what the other triangle of this edge does, from the same parameter on.
+// Returns true if the triangle has the edge along_, along which the line runs, and so is decided. Call only if its
+// corners are not on one line. It then shares with the line what the other triangle of this edge does, from the same
+// parameter on.
 bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (along_[0] == none) return false;
     const std::uint32_t corner = find_edge(corners, along_);
     if (corner == 3) return false;
     if (triangle > least_) return true;
-    // If memory.own does not run along an edge, the parameter at which the line leaves this edge is not stored any
-    // more.
+    // If memory.own does not run along an edge, the parameter at which the line leaves this edge is no longer stored.
     if (!memory_.own->is_along || memory_.own->feature != Feature::Kind::edge) return false;
     take_tie(triangle, Feature::Kind::edge, corner);
     return true;
@@ -213,7 +217,7 @@ bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noe
 
 void BodySearch::settle() {
     faces_.drop();
-    // Floats may leave several faces that doubles can separate.
+    // Floats may leave several faces; doubles separate most of them.
     if (faces_.open().size() + (least_ != none) < 2) return;
     for (HitMemory::FaceSieve::Open& face : faces_.open()) {
         ++counts_.enclosures;

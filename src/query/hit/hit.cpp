@@ -1,9 +1,6 @@
-#include "ecods/hit.hpp"
-
-#include <ostream>
-
 #include "query/hit/hit_memory.hpp"
 #include "query/hit/hit_search.hpp"
+#include "query/hit/surface_hit.hpp"
 #include "query/intersection/asking.hpp"
 
 namespace ecods {
@@ -18,8 +15,8 @@ std::optional<Hit> find_first(const Line& line, const Posed<MeshShape>& body, Qu
     return first.get().hit;
 }
 
-// Finds the first hit like find_first. A segment within the region of the last ones is asked about the triangles there,
-// without a walk.
+// Returns the first hit, as find_first() does. If the segment is within the region gathered for the last segments, asks
+// only the triangles of that region, without a walk.
 std::optional<Hit> find_step(const Line& segment, const Posed<MeshShape>& body, QueryMemory& memory,
                              PairWitness& witness) {
     HitMemory& own = HitMemory::of(memory);
@@ -52,25 +49,25 @@ std::vector<Hit> find_all(const Line& line, const Posed<MeshShape>& body, QueryM
 
 }  // namespace
 
-std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
+std::optional<Hit> surface::first_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
     validate(segment);
     Asking asking(ask);
     if (ask.witness != nullptr) return find_step(Line(segment), body, asking.memory(), *ask.witness);
     return find_first(Line(segment), body, asking.memory(), asking.witness());
 }
 
-std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
+std::optional<Hit> surface::first_hit(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
     validate(ray);
     Asking asking(ask);
     return find_first(Line(ray), body, asking.memory(), asking.witness());
 }
 
-std::vector<Hit> all_hits(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
+std::vector<Hit> surface::all_hits(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
     validate(segment);
     return find_all(Line(segment), body, Asking(ask).memory());
 }
 
-std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
+std::vector<Hit> surface::all_hits(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
     validate(ray);
     return find_all(Line(ray), body, Asking(ask).memory());
 }

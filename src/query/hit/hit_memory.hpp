@@ -1,4 +1,4 @@
-// HitMemory is the memory in which both searches for hits work, with the steps that both share.
+// HitMemory is the scratch memory of FirstHit and AllHits, with the steps that both searches have in common.
 #pragma once
 
 #include <array>
@@ -19,20 +19,21 @@
 namespace ecods {
 
 struct HitMemory final : QueryMemoryPart {
-    // A FaceHit encloses the scaled parameter at which a triangle with these vertices is certainly hit inside its face.
+    // Holds a triangle, by its vertices, that is certainly hit inside its face, and bounds of the scaled parameter of
+    // this hit.
     struct FaceHit {
         double lower, upper;
         Triangle vertices;
     };
-    // The sieve holds the faces in question. The faces that it leaves are compared exactly, with the hits of edges and
-    // vertices, so it keeps no values.
+    // The sieve stores such faces. In the end they are compared exactly, together with hits of edges and vertices, so
+    // the sieve needs no values.
     using FaceSieve = Sieve<FaceHit, std::monostate>;
 
     LineAxes axes;
     TriangleHits triangles;
     std::vector<LineNode> stack;
     FaceSieve faces;
-    StepRegion steps;  // near the body that the members are bound to
+    StepRegion steps;  // region on the body to which the members are bound
     std::array<exact::LineHit, 3> hits;
     // The least hit of all bodies, the least hit of the current body, and the hit of the current triangle.
     exact::LineHit *best = &hits[0], *own = &hits[1], *other = &hits[2];
@@ -41,9 +42,9 @@ struct HitMemory final : QueryMemoryPart {
         return QueryMemoryAccess::part<HitMemory>(memory, &QueryMemoryAccess::State::hit);
     }
 
-    // Prepares all members for a line and a body, both of which must outlive the questions. Keeps numbers that depend
-    // on the body alone, as most bodies are asked more than once. Returns the place of the line's part up to the scaled
-    // parameter `limit`.
+    // Prepares all members for a line and a body, which both must outlive their use. Numbers that depend on the body
+    // alone are kept if the body is the same as before. Returns where the line up to the scaled parameter `limit` is,
+    // relative to the body.
     LineAxes::Place bind(const Line& line, const ScaledLine& scaled, double limit, const Posed<MeshShape>& body) {
         const MeshTree& tree = MeshShapeAccess::tree(*body.what);
         const exact::BodyRef ref{&body.what->mesh(), &tree.extent, &body.pose};
@@ -59,7 +60,7 @@ struct HitMemory final : QueryMemoryPart {
         return place;
     }
 
-    // Prepares the questions about single triangles alone, for a line and the body that the members are bound to.
+    // Prepares only `triangles`, for a line and the body to which the members are already bound.
     void bind_triangles(const Line& line, const ScaledLine& scaled, const Posed<MeshShape>& body) noexcept {
         triangles.bind(line, scaled, {&body.what->mesh(), &MeshShapeAccess::tree(*body.what).extent, &body.pose});
     }
@@ -68,8 +69,8 @@ struct HitMemory final : QueryMemoryPart {
         return tree_id_ == tree.id && same_bits(pose_, pose);
     }
 
-    // Visits each triangle that the line may hit, with `result` as for walk_line. If the place of the line is unknown,
-    // calls result.visit(triangle) for every triangle.
+    // Calls result.visit(leaf, found) for each leaf with triangles that the line may hit, as walk_line() does. If the
+    // place of the line is unknown, calls result.visit(triangle) for every triangle instead.
     template <class Result>
     void walk(const Posed<MeshShape>& body, LineAxes::Place place, Result& result) {
         if (place == LineAxes::Place::placed) {
@@ -92,7 +93,7 @@ inline HitKind kind_of(const exact::LineHit& hit) noexcept {
     return hit.facing < 0 ? HitKind::front : hit.facing > 0 ? HitKind::back : HitKind::face;
 }
 
-// Returns the hit with each number rounded once.
+// Converts a hit of the line with `triangle`; each number of the result is rounded once.
 inline Hit rounded(const Line& line, const exact::LineHit& hit, std::uint32_t triangle) noexcept {
     Hit result;
     result.kind = kind_of(hit);

@@ -1,7 +1,7 @@
-// Finds the hits of one line with any number of bodies. Hits are compared exactly, and rounded at the end.
+// Finds the hits of one line with any number of bodies. Hits are compared exactly, and are rounded only at the end.
 //
-// Each body has a key, which orders the hits of different bodies at one real parameter. A world's keys have the order
-// of the ids.
+// Each body has a key. If hits of different bodies have the same real parameter, the lesser key comes first. A world
+// uses keys that are ordered like the ids of its bodies.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace ecods {
 
-// A KeyedHit is a hit and the key of its body.
+// Holds a hit and the key of the body that is hit.
 struct KeyedHit {
     std::uint64_t key = 0;
     Hit hit;
@@ -24,33 +24,35 @@ struct KeyedHit {
 
 struct HitMemory;
 
-// Finds the least hit, in the order of the real parameters, then keys, then triangles.
+// Finds the least hit, in the order of the real parameters, then of keys, then of triangles.
 class FirstHit {
   public:
-    // The line must be valid. Line and memory must outlive the search, and the memory must serve one search at a time.
-    // If `is_alone`, one body is asked once and nothing is offered; then no parameter need be known exactly.
+    // `line` must be valid. It and `memory` must outlive the search, and no other search may use `memory` meanwhile.
+    // Set `is_alone` only if ask() is called once and offer() never; then the parameter of the hit need not be computed
+    // exactly.
     FirstHit(const Line& line, QueryMemory& memory, bool is_alone = false);
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;
 
-    // Asks one more body, in any order of keys. Tries the triangle `b` of the witness before others. If the hit of the
-    // body becomes the least one, leaves its triangle in the witness.
+    // Asks one more body; keys may come in any order. Tries the triangle witness.b before others. If the body has the
+    // least hit so far, sets witness.b to the triangle that is hit.
     void ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness& witness);
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
 
-    // Asks a body that the memory is bound to about these triangles alone, which must be all that the line may hit.
+    // Asks the body about the given triangles only, which must include all that the line may hit. `memory` must already
+    // be bound to the body.
     void ask_about(std::span<const std::uint32_t> triangles, const Posed<MeshShape>& body, std::uint64_t key,
                    PairWitness& witness);
 
-    // Takes a hit that was found in another way. Its real parameter is exactly `hit.parameter`.
+    // Offers a hit that the caller found in another way. Its real parameter must be exactly `hit.parameter`.
     void offer(const Hit& hit, std::uint64_t key);
 
-    // Returns an upper bound of the parameter of the least hit, rounded upwards; infinity if nothing is known. A body
-    // whose box the line meets only beyond it need not be asked.
+    // Returns an upper bound of the parameter of the least hit; infinity if nothing is known. The caller need not ask
+    // bodies whose boxes the line meets only beyond this parameter.
     double limit() const noexcept { return scaled_.unscaled_above(limit_); }
 
     bool found() const noexcept { return found_; }
-    // Returns the least hit, rounded once. Requires found().
+    // Returns the least hit, rounded once. Call only if found().
     KeyedHit get() const;
 
   private:
@@ -63,13 +65,13 @@ class FirstHit {
     ScaledLine scaled_;
     HitMemory& memory_;
     QueryCounts& counts_;
-    double limit_;  // upper bound of the scaled parameter
+    double limit_;  // upper bound of the scaled parameter of the least hit
     bool found_ = false;
-    bool is_rounded_ = false;  // true if the numbers of least_ are final
+    bool is_rounded_ = false;  // true if all numbers of least_ are already rounded
     KeyedHit least_;
 };
 
-// Finds all hits, in the order of FirstHit.
+// Finds all hits, in the order of their real parameters, then of keys, then of triangles.
 class AllHits {
   public:
     AllHits(const Line& line, QueryMemory& memory);
@@ -80,7 +82,7 @@ class AllHits {
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
     void offer(const Hit& hit, std::uint64_t key);
 
-    // Returns all hits, rounded once, with ranks.
+    // Returns all hits, with their numbers rounded once and their ranks set.
     std::vector<KeyedHit> get();
 
   private:

@@ -1,8 +1,8 @@
-// StepRegion holds the leaves of one body near the way of a segment that moves in small steps, gathered once for many
-// steps.
+// StepRegion serves a segment that moves in small steps: it gathers the leaves of one body near the segment's path once
+// for many steps.
 //
-// No answer depends on it, only work: a segment within the region is asked about every triangle there that it may hit;
-// any other segment walks the tree.
+// It changes the work but no answer. A segment within the region is tested against every triangle there that it may
+// hit; for any other segment the caller walks the tree.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace ecods {
 
 class StepRegion {
   public:
-    // Forgets everything: the body is another one, or has another pose.
+    // Forgets the region and the last segment. Call it if the body or its pose changes.
     void forget() noexcept {
         leaves_.clear();
         has_last_ = false;
         rest_ = rest_next_ = 0;
     }
 
-    // True if the segment is within the region. The segment is then stored as the last one.
+    // Returns true if the segment is within the region, and then stores the segment as the last one.
     bool holds(const Line& segment) noexcept {
         if (!leaves_.holds(segment.a, segment.b)) return false;
         ++served_;
@@ -32,8 +32,9 @@ class StepRegion {
     }
     NearLeaves& leaves() noexcept { return leaves_; }
 
-    // Takes a segment that is not within the region. If it has moved little from the last one, makes a region around it
-    // and the way ahead. After a region that served few segments, waits for some segments before it makes the next one.
+    // Stores a segment that is not within the region as the last one. If it has moved little since the segment before,
+    // gathers a new region around it and its path ahead. If the region before served few segments, waits for some
+    // segments first.
     void follow(const Line& segment, const MeshBvh& tree, const LineAxes& axes, std::uint64_t& box_tests) noexcept {
         if (leaves_.is_ready()) {
             leaves_.clear();
@@ -60,9 +61,10 @@ class StepRegion {
     }
 
   private:
-    // Measured on a path over a torus, from each point to the next: any number from 16 to 32 ahead is as good.
+    // Chosen by measuring a path over a torus, with segments from each point to the next: any steps_ahead from 16 to 32
+    // is as good as 20.
     static constexpr double steps_ahead = 20, steps_aside = 2;
-    static constexpr double moved_max = 3;  // in lengths of the segment: a greater move is a jump
+    static constexpr double moved_max = 3;  // in lengths of the segment; a greater move is a jump
     static constexpr std::uint32_t served_min = 4, rest_max = 63;
 
     void has_served(bool enough) noexcept {
@@ -74,7 +76,8 @@ class StepRegion {
     Vec3 last_a_ = Vec3::Zero(), last_b_ = Vec3::Zero();
     bool has_last_ = false;
     std::uint32_t served_ = 0;
-    std::uint32_t rest_ = 0, rest_next_ = 0;  // segments to wait without a region: now, and the last time
+    std::uint32_t rest_ = 0,
+                  rest_next_ = 0;  // segments to wait without a region: from now on, and after the last region
 };
 
 }  // namespace ecods

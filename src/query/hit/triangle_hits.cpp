@@ -47,8 +47,8 @@ void TriangleHits::bind(const Line& line, const ScaledLine& scaled, const BodyRe
 
 namespace {
 
-// Below size_max, products of magnitudes stay far from overflow. Above bound_min, bounds are far greater than what the
-// products lose by underflow.
+// Below size_max, products of magnitudes stay far from overflow. Above bound_min, error bounds are far greater than the
+// errors of products that underflow.
 constexpr double size_max = 0x1p200;
 constexpr double bound_min = 0x1p-780;
 constexpr double slack = 1 + 0x1p-20;
@@ -56,14 +56,14 @@ constexpr double slack = 1 + 0x1p-20;
 ECODS_ALWAYS_INLINE Double4 load4(const std::array<double, 4>& v) noexcept {
     return load<Double4>(v.data());
 }
-// Return the product and the sum of the two other components, by axis.
+// Return, for each axis, the product and the sum of the components on the two other axes.
 ECODS_ALWAYS_INLINE Double4 products(Double4 a) noexcept {
     return shuffle<1, 2, 0, 3>(a) * shuffle<2, 0, 1, 3>(a);
 }
 ECODS_ALWAYS_INLINE Double4 sums(Double4 a) noexcept {
     return shuffle<1, 2, 0, 3>(a) + shuffle<2, 0, 1, 3>(a);
 }
-// Returns the sums of the components of four vectors; the fourth lanes do not count.
+// Returns the sum of the first three components of each of the four vectors. Fourth lanes are ignored.
 ECODS_ALWAYS_INLINE Double4 sums_of(Double4 a, Double4 b, Double4 c, Double4 d) noexcept {
     const Double4 ab_low = shuffle<0, 4, 2, 6>(a, b), ab_high = shuffle<1, 5, 3, 7>(a, b);
     const Double4 cd_low = shuffle<0, 4, 2, 6>(c, d), cd_high = shuffle<1, 5, 3, 7>(c, d);
@@ -73,25 +73,26 @@ ECODS_ALWAYS_INLINE Double4 sums_of(Double4 a, Double4 b, Double4 c, Double4 d) 
 
 }  // namespace
 
-// Encloses the hit in doubles. The line begins at 0; the corners p, q and r, d and n are as in
+// Encloses the hit in doubles. The line begins at 0; the corners p, q and r, the direction d and the normal n are as in
 // exact/measure/line/line_hit.hpp.
 //
 // Bound. u' = 2^-52 bounds the relative error of one operation in any rounding mode, and delta the error of a corner's
-// coordinate. E is the largest coordinate of a corner by axis. The error of d is `d_error`. The factor `slack`, 1 +
+// coordinate. E_i is the largest coordinate of a corner on axis i. The error of d is `d_error`. The factor `slack`, 1 +
 // 2^-20, covers the evaluation of the bounds.
 //
-// Weights: a component of c = p x q, two products of at most E_i E_j, is off by 4 u' E_i E_j for rounding and 2 delta
-// (E_i + E_j) + 2 delta^2 for its factors; c . d by another 3.01 u' 2 E_i E_j |d| and 2 E_i E_j d_error. Together these
-// are less than
+// Weights: a component of c = p x q is two products of at most E_i E_j. It is off by 4 u' E_i E_j for rounding, and by
+// 2 delta (E_i + E_j) + 2 delta^2 for the errors of its factors. c . d is off by another 3.01 u' 2 E_i E_j |d| and 2
+// E_i E_j d_error. Together these are less than
 //     sum over k of (11 u' E_i E_j + 2.01 delta (E_i + E_j) + 2 delta^2) |d_k| + 2.01 E_i E_j d_error_k.
-// The normal n: differences are off by e = u' S + 2 delta, where S is the largest difference by axis; a component of n
-// is off by 4 u' S_i S_j + 2 (e_i S_j + S_i e_j) + 2 e_i e_j < B = 8.1 u' S_i S_j + 4.01 delta (S_i + S_j) + 8.1
-// delta^2. Then n . d is off by the sum of (B + 3.01 u' |n|) (|d| + d_error) + |n| d_error, and n . p by the sum of (B
-// + 3.01 u' |n|) (|p| + delta) + |n| delta.
+// The normal n: differences of corners are off by e = u' S + 2 delta, where S is the largest difference by axis. A
+// component of n is off by 4 u' S_i S_j + 2 (e_i S_j + S_i e_j) + 2 e_i e_j < B = 8.1 u' S_i S_j + 4.01 delta (S_i +
+// S_j) + 8.1 delta^2. Then n . d is off by the sum of (B + 3.01 u' |n|) (|d| + d_error) + |n| d_error, and n . p by the
+// sum of (B + 3.01 u' |n|) (|p| + delta) + |n| delta.
 //
-// No number is infinite or a NaN: a sum S of magnitudes at which posing could overflow makes delta at least 4 u' S,
-// which is then beyond size_max. In a mode that rounds down, an upper end that overflows is the largest double: no hit
-// is beyond it, since a point of the triangle is at most sqrt(3) size_max from 0.
+// No number is infinite or a NaN: a sum S of magnitudes at which posing could overflow makes delta at least 4 u' S, and
+// such a delta is beyond size_max. In a mode that rounds down, an upper end that overflows becomes the largest double.
+// No hit is beyond that, since a point of the triangle is at most sqrt(3) size_max from 0.
+// Claim: verify/proofs/triangle_hits.py
 ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std::array<const Vec3*, 3>& corners,
                                                   HitEnclosure& result) noexcept {
     using Verdict = HitEnclosure::Verdict;
@@ -103,7 +104,7 @@ ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std:
     const Double4 p_size = absolute(p), E = max(p_size, max(absolute(q), absolute(r))), EE = products(E);
     const double delta = s.delta, delta_square = delta * delta;
     const Double4 each = (11 * two_u * EE + (2.01 * delta) * sums(E)) + 2 * delta_square;
-    // The four lanes are the weights of r, p and q, and the bound of their errors.
+    // The four lanes are the weights of r, p and q, and the bound of the weights' errors.
     const Double4 weights =
         sums_of(cross(p, q) * d, cross(q, r) * d, cross(r, p) * d, each * d_size + 2.01 * EE * d_error);
     const double beside = weights[3] * slack;
@@ -187,7 +188,8 @@ bool TriangleHits::round_crossing(const Triangle& corners, RoundedCrossing& cros
     return exact::round_crossing({line_->a, points_.direction(), points_.unit()}, short_points(corners), crossing);
 }
 
-// Calls use(direction, corners) with vectors of limbs, relative to the line's beginning.
+// Calls use(direction, corners) with the line's direction and the corners, relative to the line's beginning, as vectors
+// of limbs.
 template <class Use>
 auto TriangleHits::with_limbs(const Triangle& corners, Use&& use) {
     if (has_short_points()) {

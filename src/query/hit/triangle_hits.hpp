@@ -1,4 +1,4 @@
-// TriangleHits answers what a line shares with single triangles of a posed mesh.
+// TriangleHits finds the points that a line shares with single triangles of a posed mesh.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-// HitEnclosure holds what doubles prove about a line and a triangle.
+// Holds what doubles prove about the points that a line shares with a triangle.
 struct HitEnclosure {
     enum class Verdict : std::uint8_t {
         none,  // they share no point
@@ -23,27 +23,29 @@ struct HitEnclosure {
     Verdict verdict = Verdict::open;
     bool is_crossing = false;     // true if the line certainly crosses the triangle's plane, at one point
     bool has_area = false;        // true if the triangle's corners are certainly not on one line
-    double lower = 0, upper = 0;  // bounds of the scaled parameter of that point, if there is one
+    double lower = 0, upper = 0;  // bounds of the scaled parameter of the shared point, if there is one
 };
 
-// Triangles are given by their vertices, as Mesh::triangles() has them.
+// Triangles are passed by their vertices, in the order of Mesh::triangles().
 class TriangleHits {
   public:
     // Computes the numbers that depend on the body alone. Cost: constant.
     void prepare(const exact::BodyRef& body) noexcept;
 
-    // Sets the line and the body, for which prepare() was called. Everything that the arguments refer to must outlive
-    // the questions.
+    // Sets the line and the body; prepare() must have been called for this body. Everything that the arguments refer to
+    // must outlive their use.
     void bind(const Line& line, const ScaledLine& scaled, const exact::BodyRef& body) noexcept;
 
     HitEnclosure enclose(const Triangle& triangle) const noexcept;
 
-    // Sets `hit` and returns true if the line shares a point with the triangle.
+    // Returns true if the line shares a point with the triangle, and then sets `hit`.
     bool find(const Triangle& triangle, exact::LineHit& hit);
 
-    // Sets `hit` to the one shared point of a triangle that the line is proven to cross inside the face.
+    // Sets `hit` to the only shared point. Call only if enclose() has proven that the line crosses the triangle inside
+    // its face.
     void find_crossing(const Triangle& triangle, exact::LineHit& hit);
-    // Sets the rounded numbers of this point and returns true. Returns false if they cannot be found cheaply.
+    // Sets `crossing` to the same point with rounded numbers, and returns true. Returns false if that is not possible
+    // cheaply.
     bool round_crossing(const Triangle& triangle, exact::RoundedCrossing& crossing);
 
   private:
@@ -52,12 +54,12 @@ class TriangleHits {
     template <class Use>
     auto with_limbs(const Triangle& triangle, Use&& use);
 
-    // Holds the arguments of enclose_in(): vectors of three coordinates and a zero.
+    // Holds the arguments of enclose_in(): vectors of three coordinates, padded by a zero.
     struct alignas(32) InDoubles {
         std::array<std::array<double, 4>, 3> R;  // by columns
         std::array<double, 4> offset;            // fl(t - a)
-        std::array<double, 4> d, d_error;        // of the scaled line
-        double delta;                            // error bound of a coordinate of a rounded point
+        std::array<double, 4> d, d_error;        // direction of the scaled line
+        double delta;                            // error bound of each coordinate of a posed point
         double end_low, end_high;
         bool is_known;
     };

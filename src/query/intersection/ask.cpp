@@ -32,7 +32,7 @@ struct Minus {
     void operator()(std::uint64_t& to, std::uint64_t by) const noexcept { to -= by; }
 };
 
-// Changes each count of `to` by that of `by`.
+// Applies `op` (Plus or Minus) to each count of `to`, with the same count of `by`.
 template <class Change>
 void change(StageCounts& to, const StageCounts& by, Change op) noexcept {
     op(to.triangle_tests, by.triangle_tests);
@@ -94,8 +94,8 @@ QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
 
 namespace {
 
-// The memories of a thread that no question uses. A question asked within another one, by a test of the caller's own,
-// takes a second memory, so there is a list.
+// Holds the memories of a thread that no question is using. There may be several: a question that a caller's test asks
+// within another question needs a memory of its own.
 struct SpareMemories {
     std::vector<std::unique_ptr<QueryMemory>> list;
     std::size_t made_count = 0;
@@ -103,7 +103,7 @@ struct SpareMemories {
     ~SpareMemories();
 };
 
-// True once the thread's spare memories are destroyed: objects destroyed later may ask questions, too.
+// Set when the thread's `spares` are destroyed, because objects that are destroyed later may still ask questions.
 thread_local bool are_spares_gone = false;
 thread_local SpareMemories spares;
 
@@ -118,7 +118,7 @@ OwnMemory::OwnMemory() {
         memory_ = std::make_unique<QueryMemory>();
     } else if (spares.list.empty()) {
         memory_ = std::make_unique<QueryMemory>();
-        spares.list.reserve(spares.made_count + 1);  // giving the memory back must not fail
+        spares.list.reserve(spares.made_count + 1);  // so that the destructor, which gives the memory back, cannot fail
         ++spares.made_count;
     } else {
         memory_ = std::move(spares.list.back());

@@ -1,4 +1,4 @@
-// A question under way, as its Ask says.
+// Defines Asking, which manages the memory, the witness and the counts of a question while it runs.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,8 @@
 
 namespace ecods {
 
-// Lends the calling thread a memory of its own: the one that its last question used, or a new one while that is lent.
+// Lends a memory to one question: the memory that the calling thread's last question used, or a new one while that
+// memory is lent to another question.
 class OwnMemory {
   public:
     OwnMemory();
@@ -21,8 +22,8 @@ class OwnMemory {
     std::unique_ptr<QueryMemory> memory_;
 };
 
-// Gives a question its memory and its witness for as long as it runs, and adds its work to the counts of the Ask at the
-// end. `ask` must outlive it.
+// Gives a question its memory and its witness while it runs, and at the end adds its work to ask.counts. `ask` must
+// outlive this object.
 class Asking {
   public:
     explicit Asking(const Ask& ask) : ask_(ask) {
@@ -40,7 +41,7 @@ class Asking {
 
     QueryMemory& memory() noexcept { return ask_.memory != nullptr ? *ask_.memory : own_->get(); }
 
-    // The caller's witness, or one that knows nothing.
+    // Returns the caller's witness; without one, an empty witness.
     PairWitness& witness() noexcept { return ask_.witness != nullptr ? *ask_.witness : no_witness_; }
 
   private:

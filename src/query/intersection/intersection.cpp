@@ -1,5 +1,3 @@
-#include "ecods/intersection.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -15,6 +13,7 @@
 #include "query/intersection/plane_bound.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/intersection/single_triangles.hpp"
+#include "query/intersection/surface_intersection.hpp"
 #include "query/shape/mesh_body.hpp"
 #include "query/shape/other_units.hpp"
 
@@ -22,7 +21,7 @@ namespace ecods {
 
 namespace {
 
-// References a mesh and its pose, so that a query copies nothing.
+// MeshAt refers to a mesh and its pose, and copies neither.
 struct MeshAt {
     MeshAt(const Posed<MeshShape>& posed) : shape(*posed.what), pose(posed.pose) {}
     MeshAt(const Posed<Shape>& posed) : shape(static_cast<const MeshShape&>(*posed.what)), pose(posed.pose) {}
@@ -31,7 +30,7 @@ struct MeshAt {
     const Pose& pose;
 };
 
-// A running query: the two bodies, and the memory that it works in.
+// Query holds the two bodies of a running query, and the memory that the query works in.
 class Query {
   public:
     Query(const MeshAt& a, const MeshAt& b, QueryMemory& memory)
@@ -47,7 +46,7 @@ class Query {
         return state_.pair.relation(i, j);
     }
 
-    // Decides a pair of triangles, without binding the bodies if a filter suffices.
+    // Decides the pair of triangles that the witness names. If a filter suffices, the bodies are not bound.
     Relation relation_of_witness(const PairWitness& witness) {
         const std::optional<Relation> relation =
             filter_triangles(a().mesh(), witness.a, a().pose, b().mesh(), witness.b, b().pose);
@@ -57,7 +56,7 @@ class Query {
         return *relation;
     }
 
-    // Decides a visited pair; `crosses` if a filter has proven that it crosses.
+    // Decides a pair of triangles that the walk visits. `crosses` is true if a filter has proven that the pair crosses.
     Relation relation_of(std::uint32_t i, std::uint32_t j, bool crosses) {
         if (!crosses) return relation_of(i, j);
         ++state_.counts.stages.triangle_tests;
@@ -65,14 +64,16 @@ class Query {
         return Relation::crossing;
     }
 
-    // The index of an axis that separates the roots, or -1. Tries the axis `first` first.
+    // Binds the axes to the bodies. Returns the index of an axis that separates the roots' boxes, or -1 if none does.
+    // Tries the axis `first` first.
     int bind_axes(int first = -1) {
         return state_.axes.bind({a().tree.boxes, a().pose.R}, {b().tree.boxes, b().pose.R}, b().pose.t - a().pose.t,
                                 first);
     }
 
-    // Calls ask(a, b) with both bodies in other units, if floats bound nothing on the axes, as near the ends of the
-    // range of doubles, and other units are better. Otherwise returns nullopt. Requires bind_axes.
+    // Calls ask(a, b) with both bodies in other units, and returns its result, if other units are better. Otherwise
+    // returns nullopt. Other units are considered only if floats bound nothing on the axes, as happens near the ends of
+    // the range of doubles. Call after bind_axes().
     template <class Function>
     std::optional<std::invoke_result_t<Function, MeshAt, MeshAt>> ask_in_other_units(QueryMemory& memory,
                                                                                      const Function& ask) {
@@ -86,8 +87,8 @@ class Query {
         return as_part(memory, [&] { return ask(MeshAt(other_a), MeshAt(other_b)); });
     }
 
-    // Calls visit(i, j, crosses) for pairs of triangles, among them every pair that shares a point, until visit returns
-    // false. `crosses` is true for pairs that are known to cross. Requires bind_axes.
+    // Calls visit(i, j, crosses) for pairs of triangles until it returns false. Visits every pair that shares a point,
+    // and some others. `crosses` is true if the pair is known to cross. Call after bind_axes().
     template <class Visit>
     void visit_near_pairs(Visit&& visit) {
         if (!pair_is_bound_) state_.pair.forget_groups();
@@ -100,13 +101,15 @@ class Query {
     }
 
   private:
-    // Adds the pair's counts, before another query works in the same memory.
+    // Ends the use of state_.pair and adds its counts to the memory's. Must be called before another query uses the
+    // memory.
     void leave_pair() noexcept {
         if (pair_is_bound_) state_.counts.stages += state_.pair.counts();
         pair_is_bound_ = false;
     }
 
-    // Binds the pair at the first pair of triangles, so that queries without one do not pay for it.
+    // Binds state_.pair to the bodies. Called at the first pair of triangles, so that queries without any do not pay
+    // for it.
     void bind_pair() {
         state_.pair.reset_counts();
         state_.pair.bind(a().ref(), b().ref());
@@ -122,7 +125,7 @@ class Query {
     bool pair_is_bound_ = false;
 };
 
-// True if the witness is a pair of triangles of the bodies. Otherwise it may be no triangle and the number of an axis.
+// True if the witness names a triangle of each body. Otherwise it may name an axis instead; see axis_of().
 bool holds_triangles(const PairWitness& witness, const MeshAt& a, const MeshAt& b) {
     return witness.a < a.shape.mesh().triangles().size() && witness.b < b.shape.mesh().triangles().size();
 }
@@ -133,7 +136,8 @@ PairWitness witness_of(int axis) {
     return {PairWitness::none, static_cast<std::uint32_t>(axis)};
 }
 
-// The relation of two meshes of one triangle each if a filter decides it; nullopt otherwise, and for other meshes.
+// Returns the relation of two meshes of one triangle each if a filter decides it. Returns nullopt otherwise, and for
+// all other meshes.
 std::optional<Relation> filter_singles(const MeshAt& a, const MeshAt& b, QueryMemory& memory) {
     if (a.shape.mesh().triangles().size() != 1 || b.shape.mesh().triangles().size() != 1) return std::nullopt;
     const std::optional<Relation> relation = filter_triangles(a.shape.mesh(), 0, a.pose, b.shape.mesh(), 0, b.pose);
@@ -212,25 +216,21 @@ bool MeshIntersectionTest::intersects(const Posed<Shape>& a, const Posed<Shape>&
     return find_contact(a, b, asking.memory(), asking.witness());
 }
 
-Relation MeshIntersectionTest::relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const {
-    return find_relation(a, b, Asking(ask).memory());
-}
-
-std::vector<TrianglePair> MeshIntersectionTest::intersecting_triangles(const Posed<Shape>& a, const Posed<Shape>& b,
-                                                                       const Ask& ask) const {
-    return find_triangles(a, b, Asking(ask).memory());
-}
-
-bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+bool surface::intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     Asking asking(ask);
     return find_contact(a, b, asking.memory(), asking.witness());
 }
 
-Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+bool surface::holds_axis(const PairWitness& witness) noexcept {
+    return axis_of(witness) >= 0;
+}
+
+Relation surface::relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     return find_relation(a, b, Asking(ask).memory());
 }
 
-std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+std::vector<TrianglePair> surface::intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                                          const Ask& ask) {
     return find_triangles(a, b, Asking(ask).memory());
 }
 

@@ -1,4 +1,4 @@
-// Bounds walks of two trees that look for common points.
+// Defines the bound for walks of two trees that search for common points.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-// Leaves out boxes and triangles that an axis or a plane certainly separates.
+// Says which pairs a walk skips: pairs of boxes and of triangles that an axis or a plane certainly separates.
 class OverlapBound {
   public:
     OverlapBound(const std::array<AxisSet, 2>& sets, QueryCounts& counts) : sets_(sets), counts_(counts) {}
@@ -29,8 +29,9 @@ class OverlapBound {
         return ecods::triangle_pairs(sets_, x, y);
     }
 
-    // Orders children for deep penetration: if many pairs of children overlap, the pair with the nearest centers is
-    // visited first, since it nearly always intersects. It affects only the order of the walk.
+    // Moves the pair of children with the nearest centers to the end of `children`, where the walk takes the next pair
+    // from, if at least four pairs overlap. This helps if bodies overlap deeply: that pair nearly always intersects.
+    // Only the order of the walk depends on it.
     void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {
         constexpr std::size_t crowd_min = 4;
         if (children.size() < crowd_min) return;

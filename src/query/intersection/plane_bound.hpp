@@ -1,4 +1,4 @@
-// Bounds walks of two trees that look for common points, using groups of coplanar triangles.
+// Extends the bound for walks of two trees that search for common points by groups of coplanar triangles.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace ecods {
 
-// Bounds a walk like OverlapBound. Once groups are used, it also skips two nodes whose triangles lie in one plane each,
-// if these planes are parallel with a gap, however small.
+// Bounds a walk as OverlapBound does. Once groups are in use, also skips a pair of nodes if all triangles of each node
+// lie in one plane, and the two planes are parallel with a gap, however small.
 class PlaneBound {
   public:
-    // The arguments must outlive the bound. The relations need not be bound yet.
+    // The arguments must outlive this object. `relations` need not be bound to the bodies yet.
     PlaneBound(const OverlapBound& boxes, const MeshBvh& a, const MeshBvh& b, TriangleRelations& relations)
         : boxes_(boxes), a_(a), b_(b), relations_(relations) {}
 
@@ -30,7 +30,8 @@ class PlaneBound {
     }
 
   private:
-    // True if all triangles of two nodes are known to be in parallel planes with a gap.
+    // True if all triangles of x are known to lie in one plane, all triangles of y in another, and these two are
+    // parallel with a gap.
     template <class X, class Y>
     bool are_apart(const X& x, const Y& y) {
         if (!relations_.uses_groups()) return false;

@@ -1,9 +1,10 @@
-// Finds on which sides of the planes of one body's triangles the other body's vertices lie. Integers compute each sign
-// once for a query; then it is cached.
+// PlaneSigns finds the side of a plane, spanned by a triangle of one body, on which a vertex of the other body lies.
+// Integers compute each sign once for a query; then it is cached.
 //
-// Bodies that lie face on face have many pairs of triangles that the filter leaves open, but few planes. If a body's
-// coplanar triangles are known (query/shape/coplanar_groups.hpp), they share one plane. If two such planes are
-// parallel, as in parts modelled face on face under one rotation, all points of one are on the same side of the other.
+// Bodies that lie face on face have many pairs of triangles that the filter cannot decide, but few planes. If the
+// coplanar triangles of a body are known (query/shape/coplanar_groups.hpp), they share one plane. If planes of two such
+// groups are parallel, as for parts modelled face on face under one rotation, all points of one are on the same side of
+// the other.
 #pragma once
 
 #include <array>
@@ -17,12 +18,12 @@
 
 namespace ecods {
 
-// A direct-mapped cache of small numbers by 64-bit keys: of all keys with one slot, it holds the last one that was
-// used.
+// NumberMemo is a direct-mapped cache of small numbers by 64-bit keys. Each entry holds the last key used among all
+// keys that are hashed to it.
 class NumberMemo {
   public:
     void clear() noexcept {
-        if (++epoch_ == 0) {  // after 2^32 calls epochs would repeat
+        if (++epoch_ == 0) {  // epochs repeat after 2^32 calls
             entries_.clear();
             epoch_ = 1;
         }
@@ -39,7 +40,7 @@ class NumberMemo {
     }
 
   private:
-    static constexpr int size_bits = 11;  // 32 KiB
+    static constexpr int size_bits = 11;  // 2^11 entries of 16 bytes: 32 KiB
 
     struct Entry {
         std::uint64_t key = 0;
@@ -52,9 +53,9 @@ class NumberMemo {
 
 class PlaneSigns {
   public:
-    static constexpr std::size_t triangle_count_max = std::size_t{1} << 31;  // of both bodies; limited by keys
+    static constexpr std::size_t triangle_count_max = std::size_t{1} << 31;  // of both bodies together; limited by keys
 
-    // Forgets groups and signs. Cost: constant.
+    // Forgets the groups and all cached signs. Cost: constant.
     void clear() noexcept {
         groups_ = {};
         is_parted_ = false;
@@ -62,26 +63,27 @@ class PlaneSigns {
         sides_.clear();
     }
 
-    // Enables signs. The frame's arithmetic must be one of integers. The groups must be those of its two bodies; either
-    // may be empty; they must outlive this.
+    // Lets signs be computed from now on. `a` and `b` must be the groups of the frame's two bodies, and outlive this
+    // object; either may be empty. The frame's arithmetic must be one of the integer kinds.
     void use(exact::Frame& frame, const CoplanarGroups& a, const CoplanarGroups& b) noexcept;
     bool are_used() const noexcept { return groups_[0] != nullptr; }
     const CoplanarGroups& groups(std::size_t body) const noexcept { return *groups_[body]; }
 
-    // The number of signs that were computed in integers.
+    // Returns how many signs were computed in integers.
     std::uint64_t computed_count() const noexcept { return computed_count_; }
 
-    // Replaces zero signs by the exact ones. `sides` are the signs of the corners of triangle `other` of the other body
-    // about the plane of triangle `own` of `body`.
+    // Returns `sides` with each zero replaced by the exact sign. `sides[i]` is the sign of corner i of triangle
+    // `other`, of the other body, relative to the plane of triangle `own` of `body`.
     exact::Sides complete(exact::Sides sides, std::size_t body, std::uint32_t own, std::uint32_t other);
 
-    // True if two parallel planes are known that have one body on each side of the gap between them.
+    // True if two parallel planes were found that have one body on each side of the gap between them.
     bool are_parted() const noexcept { return is_parted_; }
 
-    // True if two triangles of the bodies are in groups, and these are in parallel planes with a gap.
+    // True if triangle a of the first body and triangle b of the second are in groups whose planes are parallel with a
+    // gap.
     bool are_triangles_apart(std::uint32_t a, std::uint32_t b);
 
-    // True if a group of the first body and one of the second are in parallel planes with a gap.
+    // True if the planes of a group of the first body and a group of the second are parallel with a gap.
     bool are_apart(std::uint32_t group_a, std::uint32_t group_b) {
         const int side = side_of_parallel(0, group_a, group_b);
         return side == 1 || side == -1;
@@ -90,15 +92,16 @@ class PlaneSigns {
   private:
     static constexpr int not_parallel = 2;
 
-    // The side of the plane of a body's group on which all points of the other body's group lie, or not_parallel.
+    // Returns on which side of the plane of `group`, of `body`, all points of `other_group`, of the other body, lie.
+    // Returns not_parallel if the planes of the two groups are not parallel.
     int side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group);
     int compute_side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group);
     bool part_bodies(std::size_t body, std::uint32_t group, std::uint32_t other_group, int side);
 
-    // The sign of a pose's orientation: -1 if it mirrors the body, otherwise 1.
+    // Returns the orientation of the body's pose: -1 if it mirrors the body, otherwise 1.
     int turn(std::size_t body);
 
-    // The side of the plane of triangle `own` on which a vertex of the other body lies.
+    // Returns on which side of the plane of triangle `own`, of `body`, a vertex of the other body lies.
     int side(std::size_t body, std::uint32_t own, std::uint32_t vertex);
 
     const Triangle& triangle(std::size_t body, std::uint32_t index) const {

@@ -1,7 +1,8 @@
-// Defines the memory that a QueryMemory holds for each kind of query.
+// Defines the parts of a QueryMemory, one for each kind of query.
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "bvh/axes/separating_axes.hpp"
@@ -11,7 +12,7 @@
 
 namespace ecods {
 
-// The memory of queries of another folder, created on first use.
+// Base of the parts that other folders define. A part is created on first use.
 struct QueryMemoryPart {
     virtual ~QueryMemoryPart() = default;
 };
@@ -28,7 +29,7 @@ struct QueryMemoryAccess {
     using State = QueryMemory::State;
     static State& state(QueryMemory& memory) noexcept { return *memory.state_; }
 
-    // The memory of one kind of query, which `place` points to; created on first use.
+    // Returns the part to which the member `place` of the state points; creates it on first use.
     template <class Part>
     static Part& part(QueryMemory& memory, std::unique_ptr<QueryMemoryPart> State::*place) {
         auto& part = state(memory).*place;
@@ -37,7 +38,7 @@ struct QueryMemoryAccess {
     }
 };
 
-// Makes a query within another one: its work is counted, but not as another query.
+// Calls ask(), a query within another query. Its work is counted, but it is not counted as a query of its own.
 template <class Function>
 auto as_part(QueryMemory& memory, Function&& ask) {
     struct NotCounted {
@@ -47,6 +48,13 @@ auto as_part(QueryMemory& memory, Function&& ask) {
     };
     const NotCounted restore{QueryMemoryAccess::state(memory).counts};
     return ask();
+}
+
+// Makes one query of several within it.
+template <class Function>
+auto as_one_query(QueryMemory& memory, Function&& ask) {
+    ++QueryMemoryAccess::state(memory).counts.queries;
+    return as_part(memory, std::forward<Function>(ask));
 }
 
 }  // namespace ecods

@@ -13,7 +13,7 @@ using namespace exact;
 
 namespace {
 
-// Poses the corners of a triangle of the mesh. Returns their error bound.
+// Poses the corners of triangle `index`, and stores them in `points` from `first` on. Returns their error bound.
 ECODS_ALWAYS_INLINE double pose_corners(const Mesh& mesh, std::uint32_t index, const Pose& pose, const Vec3& offset,
                                         std::array<Point, 6>& points, std::size_t first) noexcept {
     const Triangle& triangle = mesh.triangles()[index];

@@ -1,4 +1,4 @@
-// Decides a single pair of triangles, each of a mesh at a pose, without any preparation.
+// Decides a single pair of triangles without any preparation. Each triangle is given by a mesh at a pose.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace ecods {
 
-// The relation of triangle i of a and j of b if plain doubles with one bound decide it; otherwise nullopt. It needs no
-// trees, and nothing that is made for a pair of bodies.
+// Returns the relation of triangle i of a and triangle j of b if plain doubles with one error bound decide it;
+// otherwise nullopt. Needs no trees, and nothing that is prepared for a pair of bodies.
 std::optional<Relation> filter_triangles(const Mesh& a, std::uint32_t i, const Pose& pose_a, const Mesh& b,
                                          std::uint32_t j, const Pose& pose_b) noexcept;
 

@@ -17,7 +17,7 @@ using namespace exact;
 
 void TriangleRelations::bind(const BodyRef& a, const BodyRef& b) {
     std::array<BodyRef, 2> bodies{a, b};
-    // If both bodies have one pose, the models' own coordinates are compared.
+    // If both bodies have the same pose, the mesh coordinates are compared instead of posed points.
     cancel_common_pose(bodies);
     frame_.bind(bodies);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
@@ -40,7 +40,7 @@ ECODS_ALWAYS_INLINE Points<6> TriangleRelations::rounded(const Triangle& a, cons
 Relation TriangleRelations::relation(std::uint32_t a, std::uint32_t b) {
     ECODS_ASSERT(a < frame_.body(0).mesh->triangles().size() && b < frame_.body(1).mesh->triangles().size());
     ++counts_.triangle_tests;
-    // Planes come first: once in use they decide most open pairs, and they cost less than posing points.
+    // Planes are tried first: once they are in use they decide most undecided pairs, and cost less than posing points.
     if (planes_.are_used() && planes_.are_triangles_apart(a, b)) [[unlikely]] {
         ++counts_.plane_passes;
         return Relation::apart;
@@ -70,14 +70,14 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
     return relation;
 }
 
-// Decides triangles that the filter left open with the bound for the two bodies.
+// Decides a pair of triangles that the filter left undecided with the bound for the two bodies.
 [[gnu::noinline]] Relation TriangleRelations::decide_open(std::uint32_t a, std::uint32_t b, const Points<6>& points,
                                                           const FilterTrace& trace) {
     const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
     const bool is_first = frame_.arithmetic() == Arithmetic::unknown;
     frame_.find_arithmetic();
     doubles_are_exact_ = frame_.arithmetic() >= Arithmetic::differences;
-    // Rounds the points again: find_arithmetic may have changed the frame's units.
+    // Rounds the points again, because find_arithmetic() may have changed the frame's units.
     if (doubles_are_exact_) return decide_in_doubles(rounded(ta, tb));
     if (is_first) {
         find_flat_axis();
@@ -100,15 +100,15 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
 
 namespace {
 
-// True if all vertices of the mesh have one coordinate on the axis. extent.half is the rounded half of a difference of
-// doubles, which is zero for different ones only if both are near the least doubles: hence 2^-900. Zeros are recognized
-// by their bits, because a processor may treat other numbers as zero.
+// Returns true only if all vertices of the mesh have the same coordinate on the axis. extent.half is the rounded half
+// of a difference of two doubles. If they differ, it can be zero only if both are near the least doubles: hence 2^-900.
+// Zeros are recognized by their bits, because a processor may treat other numbers as zero.
 bool is_constant(const MeshExtent& extent, int axis) noexcept {
     if (extent.digits[static_cast<std::size_t>(axis)].empty()) return true;
     return extent.half[axis] == 0 && extent.magnitude[axis] > 0x1p-900;
 }
 
-// True if all points of the body have the same coordinate on this axis of the world.
+// Returns true only if all points of the body have the same coordinate on this axis of the world.
 bool is_flat(const BodyRef& body, int row) noexcept {
     for (int column = 0; column < 3; ++column) {
         if (decode(body.pose->R(row, column)).m != 0 && !is_constant(*body.extent, column)) return false;
@@ -151,9 +151,9 @@ Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const 
     return decide_by_integers(corners, points, bounds, trace);
 }
 
-// True if groups decide pairs from now on. They are found, once for a mesh, after integers have decided at least one
-// pair of the query for each 512 triangles, so that queries with few such pairs do not pay for the search. The rule
-// depends on the query alone, and so do its counts.
+// Returns true if groups shall decide pairs from now on, and enables them. A mesh's groups are found once, and only
+// after integers have decided at least one pair of the query for each 512 triangles. So queries with few such pairs do
+// not pay for the search. The rule depends on the query alone, so its counts do, too.
 bool TriangleRelations::may_use_groups() {
     if (planes_.are_used()) return true;
     if (shapes_[0] == nullptr) return false;
@@ -172,8 +172,8 @@ bool TriangleRelations::may_use_groups() {
 
 namespace {
 
-// Gives triangle_pair the signs of triangles in different planes: from the filter, then from known planes, then from
-// integers.
+// Gives triangle_pair the signs of two triangles in different planes. It takes a sign from the filter; if the filter
+// leaves it open, from known planes, then from integers.
 class SignsOfPlanes {
   public:
     SignsOfPlanes(Frame& frame, const std::array<VertexRef, 6>& corners, const Points<6>& points,
@@ -214,8 +214,8 @@ class SignsOfPlanes {
 
 }  // namespace
 
-// Decides a pair by planes. Coplanar triangles are left to integers, because they need many more signs than those of
-// planes.
+// Decides a pair by signs about the triangles' planes. Leaves coplanar triangles to integers, because they need many
+// more signs.
 Relation TriangleRelations::decide_by_planes(std::uint32_t a, std::uint32_t b, const Corners& corners,
                                              const Points<6>& points, const DeterminantBounds& bounds,
                                              const FilterTrace& trace) {

@@ -14,7 +14,7 @@
 
 namespace ecods {
 
-// The count of the stage in which integers of this width decide.
+// Returns a reference to the count of the stage that decides in integers of this width.
 inline std::uint64_t& integer_stage(StageCounts& counts, exact::Arithmetic arithmetic) noexcept {
     return arithmetic == exact::Arithmetic::one_limb    ? counts.one_limb
            : arithmetic == exact::Arithmetic::two_limbs ? counts.two_limbs
@@ -23,11 +23,12 @@ inline std::uint64_t& integer_stage(StageCounts& counts, exact::Arithmetic arith
 
 class TriangleRelations {
   public:
-    // Cost: constant. Everything that the arguments refer to must outlive this.
+    // Cost: constant. Everything that the arguments refer to must outlive this object.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
 
-    // Offers the shapes of the meshes, after bind(). Once integers have decided some pairs, coplanar triangles are
-    // found in the shapes and decided together. Without shapes every pair is decided on its own.
+    // Allows groups of coplanar triangles to be used; call it after bind(), with the shapes of the same meshes. Groups
+    // are found in these shapes once integers have decided some pairs. Without a call, every pair is decided on its
+    // own.
     void offer_groups(const MeshShape& a, const MeshShape& b) noexcept {
         shapes_ = {&a, &b};
         groups_of_ = &MeshShapeAccess::groups;
@@ -39,20 +40,22 @@ class TriangleRelations {
         planes_.clear();
     }
 
-    // True if the shapes' groups are used; two groups that are apart may then be skipped.
+    // True if groups are in use. A walk may then skip two groups for which are_apart() is true.
     bool uses_groups() const noexcept { return planes_.are_used(); }
-    bool are_parted() const noexcept { return planes_.are_parted(); }  // true if the bodies are known to share no point
+    bool are_parted() const noexcept {
+        return planes_.are_parted();
+    }  // true if the bodies are proven to share no point
     bool are_apart(std::uint32_t group_a, std::uint32_t group_b) { return planes_.are_apart(group_a, group_b); }
     const CoplanarGroups& groups(std::size_t body) const noexcept { return planes_.groups(body); }
 
-    // The exact relation of triangle `a` of the first mesh and `b` of the second.
+    // Returns the exact relation of triangle `a` of the first mesh and triangle `b` of the second.
     Relation relation(std::uint32_t a, std::uint32_t b);
 
     const StageCounts& counts() const noexcept { return counts_; }
     void reset_counts() noexcept { counts_ = {}; }
 
   private:
-    // The corners of a triangle of each body, the first body's first.
+    // The corners of a triangle of the first body, then of a triangle of the second.
     using Corners = std::array<exact::VertexRef, 6>;
 
     exact::Points<6> rounded(const Triangle& a, const Triangle& b);
@@ -69,15 +72,15 @@ class TriangleRelations {
 
     exact::Frame frame_;
     std::array<const Triangle*, 2> triangles_{};
-    double static_bound_ = 0;         // bounds the error of every orient3d of points of both bodies
-    bool doubles_are_exact_ = false;  // if true, decide_in_doubles decides all pairs
-    // The axis on which all points of both bodies have one coordinate; -1 if there is none or it is not known yet.
+    double static_bound_ = 0;         // error bound of every orient3d of points of both bodies
+    bool doubles_are_exact_ = false;  // if true, decide_in_doubles() decides all pairs
+    // The axis on which all points of both bodies have the same coordinate; -1 if there is none or it is not known yet.
     int flat_axis_ = -1;
-    double flat_bound_ = 0;  // bounds the error of every orient2d along flat_axis_
-    // The function that finds groups. As a pointer it keeps trees out of programs that decide triangles without shapes.
+    double flat_bound_ = 0;  // error bound of every orient2d along flat_axis_
+    // Finds the groups of a shape. It is a pointer so that programs without shapes are not linked with trees.
     const CoplanarGroups& (*groups_of_)(const MeshShape&) = nullptr;
-    std::array<const MeshShape*, 2> shapes_{};  // null if none, or once their groups are used or found empty
-    std::size_t open_count_ = 0;                // number of pairs left to integers while there were shapes
+    std::array<const MeshShape*, 2> shapes_{};  // null without shapes, and once groups are used or found empty
+    std::size_t open_count_ = 0;                // number of pairs left to integers while shapes_ are set
     PlaneSigns planes_;
     StageCounts counts_;
 };

@@ -1,5 +1,7 @@
 #include "query/search/common_point.hpp"
 
+#include "query/intersection/surface_intersection.hpp"
+
 namespace ecods {
 
 bool CommonPoint::is_in(const TrianglePair& triangles) {
@@ -16,7 +18,7 @@ bool CommonPoint::is_found_among_overlaps() {
     if (++overlap_count_ != overlap_max) return false;
     leave();
     const Posed<MeshShape> a(bodies_.a.shape, bodies_.a.pose), b(bodies_.b.shape, bodies_.b.pose);
-    return as_part(memory_, [&] { return intersects(a, b, memory_); });
+    return as_part(memory_, [&] { return surface::intersects(a, b, memory_); });
 }
 
 void CommonPoint::leave() noexcept {

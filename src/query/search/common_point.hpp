@@ -1,4 +1,5 @@
-// CommonPoint tests whether two bodies share a point, as a part of another question about them.
+// CommonPoint tests whether two bodies share a point, while another question about the same two bodies is being
+// answered.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +19,17 @@ class CommonPoint {
     // True if the two triangles share a point.
     bool is_in(const TrianglePair& triangles);
 
-    // Counts one more pair of nodes that overlap, and tests the bodies when the count reaches `overlap_max`. Returns
-    // true if the test finds that they share a point.
+    // Counts one more pair of nodes that overlap. When the count reaches `overlap_max`, tests the bodies, and returns
+    // true if the test finds that they share a point. Returns false otherwise.
     bool is_found_among_overlaps();
 
   private:
-    // A walk through bodies deep in each other mostly meets triangles that share a point long before this. Some hundred
-    // pairs of nodes also overlap where large bodies nearly touch; there the test would be wasted.
+    // If bodies overlap deeply, a walk usually meets two triangles that share a point long before this count. Where
+    // large bodies nearly touch, some hundred pairs of nodes overlap, too, and the test would be wasted.
     static constexpr std::uint32_t overlap_max = 1024;
 
-    // Adds up the counts of the memory's TriangleRelations and unbinds them, before another query works in the memory.
+    // Ends the use of the memory's TriangleRelations: adds their counts to the memory's, so that another query can bind
+    // them.
     void leave() noexcept;
 
     const MeshPair& bodies_;

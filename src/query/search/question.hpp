@@ -1,4 +1,4 @@
-// PairQuestion lists the functions of a question that a search calls about pairs of triangles of two bodies.
+// PairQuestion lists the functions that a question about two bodies must have, so that Search can answer it.
 #pragma once
 
 #include <concepts>
@@ -10,20 +10,18 @@
 
 namespace ecods {
 
-// A question gives each pair of triangles a number, a distance or a time, and wants the least ones. No number is
+// A question gives each pair of triangles a number (a distance or a time) and asks for the least number. No number is
 // negative, and a number is 0 exactly if the pair shares a point.
 //
-// `limit_above(number)` returns a float: an upper bound of the lower bounds of all nodes that hold a pair with at most
-// this number.
-// `find_near(x, y, limit, bounds)` returns, as bits, the pairs of lanes whose lower bounds may be at most `limit`, and
-// sets these bounds, finite and not negative, as near_mask does.
-// `may_share(bound)` returns true if the search is to test whether nodes with this lower bound share a point.
-// `enclose(pair, at_most)` returns an Interval of doubles with proven bounds. It contains the number if that is at most
-// `at_most`; otherwise `lower` may be infinity. `lower` is 0 unless the number is proven to be greater. All pairs whose
-// intervals have `is_certain` set and the same features `a` and `b` have the same number.
-// `complete(pair, interval, value)` may decide a pair exactly if `upper` is infinite and so excludes no other pair: it
-// then sets the Value, rounded once, and both ends of the interval to its number. Returns false if the pair has no
-// number.
+// `limit_above(number)` returns a float. Nodes that hold a pair with at most this number have lower bounds up to this
+// float. `find_near(x, y, limit, bounds)` returns the set of pairs of lanes, as bits, whose lower bounds may be at most
+// `limit`. It sets their `bounds`, which are finite and not negative, as near_mask does. `may_share(bound)` returns
+// true if the search shall test whether nodes with this lower bound share a point. `enclose(pair, at_most)` returns an
+// Interval: two doubles that are proven bounds of the pair's number. If the number exceeds `at_most`, `lower` may be
+// infinity. `lower` is 0 unless a greater bound is proven. All pairs whose intervals have `is_certain` set and equal
+// features `a` and `b` have the same number. `complete(pair, interval, value)` is called before the pair is stored, and
+// may decide the pair exactly if `upper` is infinite (such a pair excludes no other). It then sets `value` to the
+// Value, rounded once, and both ends of `interval` to its number. It returns false if the pair has no number.
 template <class Question>
 concept PairQuestion = requires(Question& question, const BvhNode& node, const TreeLeaf& leaf, double number,
                                 float bound, LaneBounds& bounds, const TrianglePair& pair,
@@ -38,11 +36,11 @@ concept PairQuestion = requires(Question& question, const BvhNode& node, const T
     { question.complete(pair, interval, value) } -> std::same_as<bool>;
 };
 
-// An ExcludingQuestion can also exclude pairs exactly, by comparing them with one that it remembers.
+// An ExcludingQuestion can also exclude a pair by proving that its number is at least that of a remembered pair.
 //
-// `refer_to(pair)` remembers a pair that shares no point, and returns true if it is another one than before. A question
-// may choose to remember none and return false.
-// `is_not_less(pair)` returns true if the number of the pair is certainly at least that of the remembered pair.
+// `refer_to(pair)` remembers this pair, which must share no point, and returns true if it replaces another pair. A
+// question may decline: it then remembers no pair and returns false. `is_not_less(pair)` returns true if the pair's
+// number is certainly at least that of the remembered pair.
 template <class Question>
 concept ExcludingQuestion = PairQuestion<Question> && requires(Question& question, const TrianglePair& pair) {
     { question.refer_to(pair) } -> std::same_as<bool>;

@@ -1,5 +1,5 @@
-// Search finds the least number of the pairs of triangles of two bodies. It walks both trees, nearest nodes first, and
-// leaves a few pairs among which exact arithmetic decides.
+// Search finds the least number among the pairs of triangles of two bodies. It walks both trees, nearest nodes first,
+// and leaves a few pairs, among which exact arithmetic decides.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,13 @@
 
 namespace ecods {
 
-// A GatheringQuestion has bounds of pairs of triangles that are between those of nodes and the intervals.
+// A GatheringQuestion can bound a pair of triangles more tightly than its leaves do, at less cost than an interval. It
+// collects such pairs, and chooses when the search takes them.
 //
-// `gather(search, x, y, lanes, bounds)` stores the pairs of triangles of two leaves in these lanes, with their bounds.
-// `advance(search, bound)` is called before nodes with this bound are opened, and with infinity after the last ones.
-// After that last call, every stored pair has been given to search.take(), or is known not to be in question.
+// `gather(search, x, y, lanes, bounds)` stores the pairs of triangles of leaves x and y in these lanes, with their
+// bounds. `advance(search, bound)` is called before nodes with this lower bound are opened, and with infinity at the
+// end. When the last call returns, every stored pair must have been passed to search.take() or be known not to have the
+// least number.
 template <class Question, class Search>
 concept GatheringQuestion = requires(Question& question, Search& search, const TreeLeaf& leaf, LanePairs lanes,
                                      const LaneBounds& bounds, float bound) {
@@ -30,7 +32,7 @@ concept GatheringQuestion = requires(Question& question, Search& search, const T
 template <class Question>
 using SieveOf = Sieve<typename Question::Interval, typename Question::Value>;
 
-// Holds a question and the memory that its searches work in, kept from one search to the next.
+// Holds a question and the scratch memory of its searches, which later searches reuse.
 template <class Question>
 struct SearchMemory final : QueryMemoryPart {
     Question question;
@@ -42,7 +44,7 @@ struct SearchMemory final : QueryMemoryPart {
 template <class Question>
 class Search {
   public:
-    // Everything that the arguments refer to must outlive the search. The question must already be bound to the bodies.
+    // Everything that the arguments refer to must outlive the search. The question must be bound to the bodies before.
     Search(const MeshPair& bodies, SearchMemory<Question>& working, QueryMemory& memory)
         : bodies_(bodies),
           question_(working.question),
@@ -54,20 +56,20 @@ class Search {
         static_assert(PairQuestion<Question>);
     }
 
-    // Tries the pair `first`, then walks the trees. Afterwards the sieve is decided, or each pair of triangles is open
-    // in it or is known not to be in question.
+    // Tries the pair `first`, if there is one, then walks the trees. Afterwards either sieve().is_decided(), or
+    // sieve().open() holds every pair of triangles that may have the least number.
     void run(const SearchGoal& goal, const std::optional<TrianglePair>& first) {
         sieve_.start(goal);
         set_limit();
         if (first) take(*first);
-        sieve_.forget_open();  // the walk comes to `first` again
+        sieve_.forget_open();  // the walk will find `first` again
         if (sieve_.is_decided()) return;
         walk_nearest(bodies_.a.tree.boxes, bodies_.b.tree.boxes, queue_, *this);
         advance(std::numeric_limits<float>::infinity());
         sieve_.drop();
     }
 
-    // walk_nearest calls these functions (bvh/walks/walk_nearest.hpp).
+    // walk_nearest() calls limit(), find_near(), visits() and take(x, y); see bvh/walks/walk_nearest.hpp.
     float limit() const noexcept { return limit_; }
     template <class X, class Y>
     std::uint64_t find_near(const X& x, const Y& y, LaneBounds& bounds) {
@@ -89,7 +91,7 @@ class Search {
         return !sieve_.is_decided();
     }
 
-    // Takes the pairs of triangles of two leaves in these lanes, except those whose bounds exceed the limit.
+    // Takes the pairs of triangles of leaves x and y in `lanes`, except pairs whose bounds exceed the limit.
     void take_each(const TreeLeaf& x, const TreeLeaf& y, LanePairs lanes) {
         for (; lanes.more() && !sieve_.is_decided(); lanes.next()) {
             if (bounds_[tree_width * lanes.i() + lanes.j()] > limit_) continue;
@@ -97,7 +99,8 @@ class Search {
         }
     }
 
-    // Encloses the number of a pair, unless the pair is excluded, and adds it to the sieve if it is in question.
+    // Encloses the number of a pair and adds the pair to the sieve, unless it is excluded or cannot have the least
+    // number.
     void take(const TrianglePair& triangles) {
         if constexpr (ExcludingQuestion<Question>) {
             if (question_.is_not_less(triangles)) return;
@@ -113,9 +116,9 @@ class Search {
         const bool has_ties = !sieve_.open().empty();
         take_upper(open.interval.upper, triangles);
         if constexpr (ExcludingQuestion<Question>) {
-            // A pair that ties with the nearest one shares features with it, or is as far across parallel faces: more
-            // ties will follow. From now on a pair may be excluded because of the nearest pair alone, so the nearest
-            // pair must stay in the sieve.
+            // A pair that ties with the nearest pair shares features with it, or lies across the same two parallel
+            // faces: more ties will follow. From now on the nearest pair may be the only reason to exclude others, so
+            // it must stay in the sieve.
             const TrianglePair nearest{sieve_.nearest().a, sieve_.nearest().b};
             if (has_ties && question_.refer_to(nearest)) {
                 typename SieveOf<Question>::Open known{{}, nearest};
@@ -125,7 +128,7 @@ class Search {
         }
         sieve_.add(open);
     }
-    // Records that the number of some pair is at most `upper`, or rounds to it.
+    // Records that the number of the pair `triangles` is at most `upper`, or rounds to it.
     void take_upper(double upper, const TrianglePair& triangles) {
         if (sieve_.take_upper(upper, triangles)) set_limit();
     }

@@ -1,5 +1,5 @@
-// Sieve holds the pairs of triangles that are still in question. It decides which may be left out, and when exact
-// arithmetic is needed.
+// Sieve stores the pairs of triangles that may still be the answer of a search. It decides which pairs may be dropped,
+// and when exact arithmetic is needed.
 #pragma once
 
 #include <algorithm>
@@ -16,16 +16,17 @@
 
 namespace ecods {
 
-// SearchGoal says which numbers a search is about, and when it may stop.
+// SearchGoal says which numbers a search needs, and when it may stop.
 struct SearchGoal {
-    double at_most = std::numeric_limits<double>::infinity();  // a greater number is only known to be greater
-    double stop_at = -1;                                       // stops when some number is proven to be at most this
-    // A pair may be left out if its number is less than the least one found by at most these widths; see Sieve::floor.
+    double at_most = std::numeric_limits<double>::infinity();  // numbers above this need not be found
+    double stop_at = -1;  // the search stops when some number is proven to be at most this
+    // Let m be the least upper bound found so far. Pairs with numbers above max(m - absolute, m / (1 + relative)) may
+    // be dropped; see Sieve::floor.
     double relative = 0;
     double absolute = 0;
 };
 
-// True if a real number between `lower` and `upper` is at most d. Calls exact() if the two bounds do not decide.
+// True if a real number between `lower` and `upper` is at most d. Calls exact() if the two bounds leave this undecided.
 template <class Exact>
 bool is_within(double lower, double upper, double d, Exact&& exact) {
     if (key_of(lower) > key_of(d)) return false;
@@ -40,7 +41,7 @@ class Sieve {
     struct Open {
         Interval interval;
         TrianglePair triangles;
-        std::optional<Value> value = {};  // rounded once, if known: the interval's ends are then its number
+        std::optional<Value> value = {};  // rounded once; both ends of `interval` are then its number
     };
 
     void start(const SearchGoal& goal) noexcept {
@@ -52,21 +53,22 @@ class Sieve {
         set_bounds();
     }
 
-    // True if a pair whose number has this lower bound is in question.
+    // Returns true if a pair whose number is at least `lower` may still be the answer.
     bool counts(double lower) const noexcept { return key_of(lower) <= most_; }
-    // True if nothing more need be asked to reach the goal.
+    // True if the goal is reached, so that the search may stop.
     bool is_decided() const noexcept { return is_zero_ || key_of(upper_) <= key_of(goal_.stop_at); }
 
-    // Records that a pair shares a point. The search is then decided, and the open pairs have no meaning.
+    // Records that a pair of triangles shares a point, so its number is 0. This decides the search; open() is not used
+    // then.
     void take_zero(const TrianglePair& triangles) noexcept {
         is_zero_ = true;
         nearest_ = {triangles.a, triangles.b};
     }
     void take_zero() noexcept { is_zero_ = true; }
-    // Records that the number of some pair is at most `upper`, or rounds to it. Returns true if that may leave out more
-    // pairs.
+    // Records that the number of the pair `triangles` is at most `upper`, or rounds to it. Returns true if this lowers
+    // the upper bound, so that more pairs may be dropped.
     bool take_upper(double upper, const TrianglePair& triangles) noexcept {
-        if (nearest_.a == PairWitness::none) nearest_ = {triangles.a, triangles.b};  // even if it is infinitely far
+        if (nearest_.a == PairWitness::none) nearest_ = {triangles.a, triangles.b};  // even if `upper` is infinite
         if (!(key_of(upper) < key_of(upper_))) return false;
         upper_ = upper;
         nearest_ = {triangles.a, triangles.b};
@@ -77,25 +79,26 @@ class Sieve {
     void forget_open() noexcept { open_.clear(); }
 
     bool is_zero() const noexcept { return is_zero_; }
-    // Returns an upper bound of the numbers in question, and of the number of nearest() if there is such a pair.
+    // Returns an upper bound of the least number. It is the upper bound of nearest(), if there is such a pair.
     double upper() const noexcept { return upper_; }
     const PairWitness& nearest() const noexcept { return nearest_; }
-    // Returns a lower bound of the numbers of pairs that were left out because of the goal's relative or absolute
+    // Returns a lower bound of the numbers of all pairs that were dropped because of the goal's relative or absolute
     // width.
     double floor() const noexcept { return floor_; }
-    // Returns the number beyond which nodes may be left out: nodes whose pairs all have greater numbers.
+    // Returns the number above which pairs may be dropped, and nodes if the numbers of all their pairs are above it.
     double bound() const noexcept { return lesser(goal_.at_most, floor_); }
 
     std::vector<Open>& open() noexcept { return open_; }
-    // Removes the open pairs that are not in question any more.
+    // Removes the open pairs that cannot be the answer any more.
     void drop() {
         std::erase_if(open_, [&](const Open& open) { return !counts(open.interval.lower); });
     }
 
-    // Returns the least number of the open pairs as a value, and makes its pair nearest(); nothing if no pair has a
-    // value. If the value exceeds the goal's at_most, it may not be the least of all pairs.
-    // round(open, least) returns the value of a pair, or nothing if it is not less than `least`, the least so far.
-    // Values are ordered by number(value), then by rank(value).
+    // Returns the least Value of the open pairs, and makes its pair nearest(); nullopt if no pair has a value. If its
+    // number exceeds the goal's at_most, it may not be the least of all pairs.
+    //
+    // round(open, least) must return the value of a pair, or nullopt if it is not less than `least`, the least value so
+    // far. Values are ordered by number(value), then by rank(value).
     template <class Round, class Number, class Rank>
     std::optional<Value> least(Round&& round, Number&& number, Rank&& rank) {
         std::optional<Value> least;
@@ -113,12 +116,12 @@ class Sieve {
         return least;
     }
 
-    // True if the real number of some open pair is at most d; nearest() is then such a pair. exact(triangles) decides
-    // if the interval does not.
+    // Returns true if the unrounded number of some open pair is at most d, and then makes this pair nearest(). Calls
+    // exact(triangles) to decide a pair whose interval does not.
     template <class Exact>
     bool is_least_within(double d, Exact&& exact) {
         for (const Open& open : group()) {
-            // The interval of a known value is rounded, and its real number may be greater.
+            // If the value is known, `upper` is a rounded number, which the real number may exceed.
             const double upper = open.value ? infinity : open.interval.upper;
             if (!is_within(open.interval.lower, upper, d, [&] { return exact(open.triangles); })) continue;
             nearest_ = {open.triangles.a, open.triangles.b};
@@ -127,12 +130,12 @@ class Sieve {
         return false;
     }
 
-    // Keeps all open pairs that have the least real number; of pairs with certainly the same features, keeps the least
-    // pair of triangles. compare(x, y) returns the sign of (number of x) - (number of y).
+    // Reduces open() to the pairs with the least unrounded number. Among pairs that certainly have the same features,
+    // only the least pair of triangles is left. compare(x, y) must return the sign of (number of x) - (number of y).
     template <class Compare>
     std::vector<Open>& keep_least(Compare&& compare) {
         group();
-        // Pairs that may be the least are moved to the front, over pairs that were already judged.
+        // Moves pairs that may be the least to the front. They overwrite only pairs that are already judged.
         std::size_t count = std::min<std::size_t>(open_.size(), 1);
         for (std::size_t at = 1; at < open_.size(); ++at) {
             const Open pair = open_[at];
@@ -160,9 +163,9 @@ class Sieve {
         }
     }
 
-    // Removes pairs that certainly have the same features and so the same number, as around a vertex and on both sides
-    // of an edge: keeps the least pair of triangles of each group. Sorts the pairs that are left by their upper bounds;
-    // a known value comes before an equal bound.
+    // Reduces each group of pairs that certainly have the same features, and so the same number, to its least pair of
+    // triangles. (Such groups occur around a vertex and at both sides of an edge.) Sorts the pairs that are left by
+    // their upper bounds; at equal bounds, pairs with a known value come first.
     std::vector<Open>& group() {
         if (open_.size() < 2) return open_;
         const auto order = [](const Open& x) {
@@ -184,7 +187,7 @@ class Sieve {
     std::vector<Open> open_;
     double upper_ = infinity;
     double floor_ = infinity;
-    std::int64_t most_ = 0;  // key of the greatest number in question
+    std::int64_t most_ = 0;  // key of the greatest number that may still be the answer
     PairWitness nearest_;
     bool is_zero_ = false;
 };

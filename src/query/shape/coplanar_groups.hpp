@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// Groups of two or more triangles that lie in one plane and face the same side. An affine map keeps them in one plane,
-// so under any pose the side of that plane on which a point lies is decided once for all of them.
+// Groups of two or more triangles that lie in one plane and face the same side. An affine map keeps a group in one
+// plane. So under any pose, a point needs to be compared with this plane only once for the whole group.
 //
 // A group need not contain all triangles of its plane. Triangles without area are in no group.
 struct CoplanarGroups {
@@ -18,14 +18,15 @@ struct CoplanarGroups {
 
     std::vector<std::uint32_t> of_triangle;  // by triangle: its group, or none
     std::vector<std::uint32_t> first;        // by group: its least triangle
-    std::vector<std::int8_t> side;  // by group: 1 or -1 if the mesh is on that closed side of its plane; 0 if unknown
-    std::vector<std::uint32_t> of_node;  // by node: the group of all triangles below it, or none
-    std::vector<std::uint32_t> of_leaf;  // by leaf: the group of all its triangles, or none
+    std::vector<std::int8_t> side;  // by group: the closed side of its plane that has the mesh, 1 or -1; 0 if unknown
+    std::vector<std::uint32_t> of_node;  // by node: group of all triangles below it, or none
+    std::vector<std::uint32_t> of_leaf;  // by leaf: group of all its triangles, or none
 
     bool empty() const noexcept { return first.empty(); }
 };
 
-// Cost: n log n. If the mesh has many groups, sides are found only for the first few of them, in some passes.
+// Cost: n log n. If the mesh has many groups, `side` is computed only for the first few, at one pass over the vertices
+// each.
 CoplanarGroups find_coplanar_groups(const Mesh& mesh, const exact::MeshExtent& extent, const MeshBvh& tree);
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// References a posed mesh for a query.
+// Refers to a posed mesh, for a query.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-// References a mesh, its pose and its tree, so that a query copies nothing.
+// MeshBody refers to a mesh, its pose and its tree, and copies none of them.
 struct MeshBody {
     MeshBody(const MeshShape& of, const Pose& at) : shape(of), pose(at), tree(MeshShapeAccess::tree(of)) {
         ECODS_ASSERT(is_finite(at));
@@ -28,15 +28,15 @@ struct MeshBody {
     const MeshTree& tree;
 };
 
-// A point is a body: this mesh of one vertex at the origin, under a pose that moves it there.
+// Returns a mesh whose only vertex is the origin. Posed by a translation, it represents a point as a body.
 inline const MeshShape& point_shape() {
     static const MeshShape shape(Mesh::create({Vec3(0, 0, 0)}, {Triangle{0, 0, 0}}));
     return shape;
 }
 
-// The two bodies of a query.
+// MeshPair holds the two bodies of a query.
 struct MeshPair {
-    // The pair of triangles that a witness names, if both bodies have these triangles.
+    // Returns the pair of triangles that the witness names; nullopt unless both bodies have these triangles.
     std::optional<TrianglePair> named_by(const PairWitness& w) const noexcept {
         if (w.a >= a.mesh().triangles().size() || w.b >= b.mesh().triangles().size()) return std::nullopt;
         return TrianglePair{w.a, w.b};

@@ -11,8 +11,8 @@
 namespace ecods {
 namespace {
 
-// The greatest number of vertices that box() poses one by one: up to here that is as fast as a support table, and
-// tighter.
+// box() poses the vertices one by one if there are at most so many. Up to this number that is as fast as to use a
+// support table, and the box is tighter.
 constexpr std::size_t vertices_posed_max = 32;
 
 std::uint64_t next_tree_id() noexcept {
@@ -22,8 +22,8 @@ std::uint64_t next_tree_id() noexcept {
 
 }  // namespace
 
-// Holds everything that a MeshShape derives from its mesh. Each part is made on first use, and is the same whoever uses
-// it first.
+// Holds everything that a MeshShape derives from its mesh. Each member is computed on first use, and does not depend on
+// the thread or the query that uses it first.
 struct MeshShape::Parts {
     Lazy<LocalFrame> frame;
     Lazy<SupportTable> support_table;
@@ -31,14 +31,21 @@ struct MeshShape::Parts {
     Lazy<std::unique_ptr<const CoplanarGroups>> groups;
     Lazy<Sha256::Digest> digest;
     Lazy<std::unique_ptr<const MeshShape>> in_other_units;
+    Lazy<std::vector<std::uint32_t>> pieces;
 
-    // The table from which boxes are computed; null if all vertices are posed instead.
+    // Returns the table from which boxes are computed; null if boxes are computed by posing all vertices.
     const SupportTable* table_for(const MeshShape& shape);
 };
 
-MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), parts_(std::make_unique<Parts>()) {
+MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh) : MeshShape(std::move(mesh), MeshForm::surface) {}
+
+MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh, MeshForm form)
+    : mesh_(std::move(mesh)), parts_(std::make_shared<Parts>()), form_(form) {
     if (!mesh_) throw null_argument("mesh");
 }
+
+MeshShape::MeshShape(std::shared_ptr<const Mesh> mesh, std::shared_ptr<Parts> parts)
+    : mesh_(std::move(mesh)), parts_(std::move(parts)) {}
 
 MeshShape::~MeshShape() = default;
 
@@ -64,6 +71,15 @@ const Sha256::Digest& MeshShapeAccess::digest(const MeshShape& shape, Sha256::Di
     return shape.parts_->digest.get([&] { return make(shape); });
 }
 
+std::shared_ptr<const MeshShape> MeshShapeAccess::surface(const MeshShape& shape) {
+    return std::shared_ptr<const MeshShape>(new MeshShape(shape.mesh_, shape.parts_));
+}
+
+const std::vector<std::uint32_t>& MeshShapeAccess::pieces(const MeshShape& shape,
+                                                          std::vector<std::uint32_t> (*find)(const MeshShape&)) {
+    return shape.parts_->pieces.get([&] { return find(shape); });
+}
+
 const MeshShape& MeshShapeAccess::in_other_units(const MeshShape& shape,
                                                  std::shared_ptr<const Mesh> (*make)(const Mesh& mesh, int e), int e) {
     return *shape.parts_->in_other_units.get([&] { return std::make_unique<const MeshShape>(make(shape.mesh(), e)); });
@@ -79,7 +95,7 @@ void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model)
 const SupportTable* MeshShape::Parts::table_for(const MeshShape& shape) {
     if (shape.mesh().vertices().size() <= vertices_posed_max) return nullptr;
     const LocalFrame& own = MeshShapeAccess::frame(shape);
-    // A table bounds poorly a mesh that is larger or smaller than a frame can be.
+    // A frame cannot be scaled to fit a very large or very small mesh. A table would bound such a mesh poorly.
     if (!own.is_bounded || own.half.maxCoeff() < 0.25) return nullptr;
     return &support_table.get([&] { return SupportTable(shape.mesh(), own); });
 }

@@ -1,9 +1,10 @@
-// Defines the data of a mesh that queries need, made once.
+// Defines the data that queries need of a mesh, computed once for each MeshShape.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "base/sha256.hpp"
 #include "bounds/local_frame.hpp"
@@ -17,26 +18,35 @@ namespace ecods {
 struct MeshTree {
     exact::MeshExtent extent;
     MeshBvh boxes;
-    std::uint64_t id;  // unique in the process; identifies what is cached for the tree
+    std::uint64_t id;  // unique in the process: caches identify the tree by it
 };
 
-// Gives the library access to the parts of a MeshShape. Each part is made on first use.
+// Gives the library access to the derived data of a MeshShape. Each function computes its result on first use.
 struct MeshShapeAccess {
     static const LocalFrame& frame(const MeshShape& shape);
     static const MeshTree& tree(const MeshShape& shape);
-    // Computes the boxes of some poses: *boxes[i] = shape.MeshShape::box(*poses[i]).
+    // Computes the boxes of the shape at some poses: *boxes[i] = shape.MeshShape::box(*poses[i]).
     static void find_boxes(const MeshShape& shape, std::span<const Pose* const> poses, std::span<Aabb* const> boxes);
     static const CoplanarGroups& groups(const MeshShape& shape);
 
-    // The shape of the same mesh, scaled by 2^e (other_units.hpp). A shape must always be passed the same e.
+    // Returns the shape of the mesh scaled by 2^e (other_units.hpp), which `make` creates on first use. All calls for
+    // one shape must pass the same e.
     static const MeshShape& in_other_units(const MeshShape& shape,
                                            std::shared_ptr<const Mesh> (*make)(const Mesh& mesh, int e), int e);
 
-    // The digest of the text that identifies the mesh in certificates (query/certificate), made by `make` on first use.
+    // Returns the digest of the text that identifies the mesh in certificates (query/certificate); `make` computes it
+    // on first use.
     static const Sha256::Digest& digest(const MeshShape& shape, Sha256::Digest (*make)(const MeshShape&));
 
-    // Makes the tree of a new shape, which no other thread knows yet, from the tree of `model`, which has the same
-    // triangles.
+    // Makes a shape that is the surface of a shape, and shares what is made of its mesh.
+    static std::shared_ptr<const MeshShape> surface(const MeshShape& shape);
+
+    // The pieces of the mesh (query/solid/pieces.hpp), found by `find` on first use.
+    static const std::vector<std::uint32_t>& pieces(const MeshShape& shape,
+                                                    std::vector<std::uint32_t> (*find)(const MeshShape& shape));
+
+    // Makes the tree of `shape` by refitting the tree of `model`, which must have the same triangles. No other thread
+    // may use `shape` yet.
     static void refit_tree(const MeshShape& shape, const MeshShape& model);
 };
 

@@ -1,4 +1,4 @@
-// Defines the default answers of shapes and of tests of two bodies.
+// Defines the default answers of Shape and TwoBodyTest: derived classes need not answer the optional questions.
 #include <optional>
 #include <vector>
 

@@ -21,14 +21,14 @@ bool is_moderate(int exponent) {
     return exponent >= -moderate_max && exponent <= moderate_max;
 }
 
-// The exponent of the mesh's largest coordinate.
+// Returns the exponent of the mesh's largest coordinate.
 int exponent_of(const MeshShape& shape) {
     const Vec3& size = MeshShapeAccess::tree(shape).extent.magnitude;
     return std::max({exponent_above(size[0]), exponent_above(size[1]), exponent_above(size[2])});
 }
 
-// The exponent e of the shape's scaled mesh, which is 2^e times as large; 0 if the shape needs none. It depends on the
-// shape alone.
+// Returns the exponent e by which the shape's mesh is scaled, so that the scaled mesh is 2^e times as large; 0 if it is
+// not scaled. The exponent depends on the shape alone.
 int scale_of(const MeshShape& shape) {
     const int exponent = exponent_of(shape);
     return is_moderate(exponent) || exponent == exact::exponent_of_zero ? 0 : -exponent;
@@ -41,7 +41,7 @@ int exponent_of_all(const Numbers& numbers) {
     return exponent;
 }
 
-// True if all numbers times 2^e are doubles, and not subnormal.
+// True if each of the numbers times 2^e is a double that is not subnormal.
 template <class Numbers>
 bool can_scale_all(const Numbers& numbers, int e) {
     return std::all_of(numbers.data(), numbers.data() + numbers.size(), [e](double x) {
@@ -56,7 +56,7 @@ Numbers scaled_all(const Numbers& numbers, int e) {
     return result;
 }
 
-// Scales the vertices. Vertices that no triangle uses keep their coordinates.
+// Returns the mesh scaled by 2^e. Vertices that no triangle uses keep their coordinates.
 std::shared_ptr<const Mesh> scaled_mesh(const Mesh& mesh, int e) {
     std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
     std::vector<Triangle> triangles(mesh.triangles().begin(), mesh.triangles().end());
@@ -69,7 +69,8 @@ const MeshShape& own_mesh(const MeshShape& shape) {
     return e == 0 ? shape : MeshShapeAccess::in_other_units(shape, scaled_mesh, e);
 }
 
-// The magnitude of the largest coordinate without the translation, roughly, unless it is subnormal.
+// Returns roughly the largest coordinate of the posed shape relative to its translation. If the result is subnormal, it
+// may be far off.
 double size_of(const MeshShape& shape, const Pose& pose) {
     return pose.R.cwiseAbs().maxCoeff() * MeshShapeAccess::tree(shape).extent.magnitude.maxCoeff();
 }

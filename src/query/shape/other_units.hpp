@@ -1,11 +1,13 @@
-// Scales bodies near the ends of the range of doubles to other units.
+// Scales bodies whose size is near the ends of the range of doubles.
 //
-// An answer without a unit (a time, a name, an intersection) is the same for bodies that are 2^e times as large. Bounds
-// of rounding errors have terms for underflow, which leave very small bodies to integers, and limits above which they
-// decide nothing. So queries about bodies below 2^-200 or above 2^200 are answered for bodies scaled to about 1.
+// An answer without a unit (a time, a name, an intersection) does not change if all bodies are scaled by 2^e. Without
+// scaling, very small bodies are decided in integers, because bounds of rounding errors have terms for underflow;
+// bodies above a limit are not decided by these bounds at all. So bodies below 2^-200 or above 2^200 are scaled to
+// about 1 for a query.
 //
-// The pose scales a body. If the vertices themselves are very small or large, a scaled mesh does so, which the shape
-// keeps. Translations are scaled either way. All scaling is exact; otherwise the bodies stay as they are.
+// A body is scaled by its pose. If the mesh's own coordinates are very small or large, a scaled mesh is used, too,
+// which the shape caches. Translations are always scaled. All scaling is exact; if it cannot be, the bodies are left as
+// they are.
 #pragma once
 
 #include <array>
@@ -17,15 +19,16 @@ namespace ecods {
 
 class OtherUnits {
   public:
-    // Chooses units for all poses of two bodies, and for a vector by which one of them is moved. Cost: some dozens of
-    // nanoseconds.
+    // Chooses units for two bodies at all the given poses, and for a vector by which one of them is moved. Cost: some
+    // tens of nanoseconds.
     OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion = Vec3::Zero());
 
-    // True if queries should use these units, which are 2^-e times the usual ones.
+    // True if a query should use these units, each of which is 2^-e times a usual unit.
     bool are_better() const noexcept { return exponent_ != 0; }
 
-    // The body, or the vector, in these units. The first call for a shape may make another shape, with its tree.
+    // Return the body, or the vector, in these units. The first call for a shape may create a scaled shape, with its
+    // tree.
     Posed<MeshShape> of(const Posed<MeshShape>& body) const;
     Moving<MeshShape> of(const Moving<MeshShape>& body) const;
     Vec3 of(const Vec3& motion) const noexcept;

@@ -1,4 +1,4 @@
-// Sorts the half-planes of triangles around the line of a segment by angle.
+// Sorts half-planes by their angle around the line of a segment.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// Gives exact signs of points of a frame's bodies. Each call converts its points, so it is for rare use.
+// PointSigns computes exact signs of points of a frame's bodies. Each call converts its points again, so it is slow.
 class PointSigns {
   public:
     using Point = exact::VertexRef;
@@ -21,25 +21,26 @@ class PointSigns {
     int compare(Point a, Point b, int axis);
     int normal_axis(Point a, Point b, Point c);
 
-    // True if b comes after a in the direction from p to q. All four points are on one line, and p differs from q.
+    // True if b comes after a in the direction from p to q. All four points must be on one line, and p differ from q.
     bool are_in_order(Point p, Point q, Point a, Point b);
 
   private:
     exact::Frame& frame_;
 };
 
-// A half-plane bounded by the line: the one that contains `apex`, a vertex of the triangle's body.
+// Wing is a half-plane that is bounded by the line: the one that contains `apex`, a vertex of the triangle's body. The
+// sector after a wing is the next one in a right-handed turn around the line from p to q.
 struct Wing {
     PointSigns::Point apex;
     std::uint32_t triangle;
-    bool inside_after;        // true if the next sector, turning from p to q as a right-handed screw, is inside
-    std::uint32_t group = 0;  // equal for wings of one direction
+    bool inside_after;        // true if the sector after the wing is inside
+    std::uint32_t group = 0;  // equal for wings in the same direction
 };
 
-// Sorts wings by angle around the line from p to q, from the direction of the first wing on, and sets their groups. Let
-// w0 be the first wing's apex. The sign of orient3d(p, q, w0, w) shows which half-turn apex w is in; if it is 0, w is
-// in the plane of w0, on the same side of the line if orient2d(p, q, w) has the sign of orient2d(p, q, w0). Within a
-// half-turn the sign of orient3d(p, q, w, w') orders w and w'.
+// Sorts wings by angle around the line from p to q, beginning in the direction of the first wing, and sets their
+// groups. Let w0 be the apex of the first wing. The sign of orient3d(p, q, w0, w) says in which half-turn the apex w
+// is. If it is 0, w is in the plane of w0, and on the same side of the line if orient2d(p, q, w) has the sign of
+// orient2d(p, q, w0). Within a half-turn, the sign of orient3d(p, q, w, w') orders w and w'.
 void sort_fan(PointSigns& signs, PointSigns::Point p, PointSigns::Point q, std::vector<Wing>& wings);
 
 }  // namespace ecods

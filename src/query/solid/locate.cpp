@@ -15,11 +15,12 @@
 namespace ecods {
 namespace {
 
-// True if on some axis no point of the body can have the point's coordinate: |point - t| exceeds the sum of |R_k| m_k,
-// where m is the greatest magnitude of the mesh's coordinates by axis. Rounding, with u' = 2^-52: the difference is off
-// by u' of itself, the three products and sums by 3.01 u' of the sum, and 2^-50 = 4 u'; each underflow loses at most
-// 2^-1022. Overflow does no harm: an infinite sum is not exceeded, and an infinite difference is larger than every
-// finite sum.
+// Returns true if no point of the body can be equal to the point on some axis k: |point - t| exceeds the sum of |R_ki|
+// m_i, where m_i is the greatest magnitude of the mesh's coordinates on axis i. Rounding, with u' = 2^-52: the
+// difference is off by u' of itself, the three products and sums by 3.01 u' of the sum, and 2^-50 = 4 u'; each
+// underflow loses at most 2^-1022. Overflow does no harm: an infinite sum is not exceeded, and an infinite difference
+// is larger than every finite sum.
+// Claim: verify/proofs/small_bounds.py
 bool is_far(const Vec3& point, const exact::MeshExtent& extent, const Pose& pose) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
         const double offset = std::abs(point[axis] - pose.t[axis]);

@@ -10,7 +10,8 @@
 namespace ecods {
 namespace {
 
-// A side in the list of its lesser vertex; `other` is the greater one, which the list is sorted by.
+// Holds a side of a triangle, in the list of the lesser of its two vertices. `other` is the greater vertex, by which
+// the list is sorted.
 struct OpenSide {
     std::uint32_t other;
     SideRef side;
@@ -18,15 +19,15 @@ struct OpenSide {
     friend constexpr auto operator<=>(const OpenSide&, const OpenSide&) = default;
 };
 
-// An end of an edge with an odd number of sides.
+// Holds one end of an edge that an odd number of triangles share: the vertex `at`. `other` is the edge's other end.
 struct LooseEnd {
     std::uint32_t at;
     std::uint32_t other;
     SideRef side;
 };
 
-// Orders the lines through a point `at` by direction. A line's direction is turned so that its first nonzero coordinate
-// is positive; lines are ordered by the axis of that coordinate, then by slope.
+// Orders the lines through a vertex `at` by direction. First, each direction is turned so that its first nonzero
+// coordinate is positive. Then lines are ordered by the axis of that coordinate, and then by slope.
 class LineOrder {
   public:
     explicit LineOrder(std::span<const Vec3> vertices) : vertices_(vertices) {}

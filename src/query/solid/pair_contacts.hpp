@@ -1,4 +1,4 @@
-// Finds how triangles of two posed meshes meet, in the detail that questions about solids need.
+// PairContacts finds how triangles of two posed meshes meet, in the detail that questions about solids need.
 #pragma once
 
 #include "ecods/intersection.hpp"
@@ -12,8 +12,8 @@ class PairContacts {
     // `frame` must be bound to two bodies and outlive this object.
     PairContacts(exact::Frame& frame, StageCounts& counts);
 
-    // The contact of a triangle of the first body with one of the second, found by the cheapest stage that decides it,
-    // as in query/intersection/triangle_relations.cpp. The second triangle must have an area.
+    // Returns the contact of triangle a of the first body with triangle b of the second; b must have an area. The
+    // cheapest stage that decides it is used, as in query/intersection/triangle_relations.cpp.
     exact::TriangleContact contact(const Triangle& a, const Triangle& b);
 
   private:
@@ -21,7 +21,7 @@ class PairContacts {
 
     exact::Frame& frame_;
     StageCounts& counts_;
-    double bound_;  // bounds the error of every orient3d of points of both bodies
+    double bound_;  // error bound of every orient3d of points of both bodies
 };
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Marks the triangles of positive area of a mesh, and gives corners at equal coordinates one index.
+// ProperMesh marks the triangles of positive area of a mesh, and gives corners with equal coordinates the same index.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,28 @@
 namespace ecods {
 
 struct ProperMesh {
-    // The given mesh, or a copy in which each corner is the least vertex at its coordinates.
+    // The given mesh, or a copy in which each corner is replaced by the least vertex with the same coordinates.
     std::shared_ptr<const Mesh> mesh;
-    // By triangle: true if its area is positive. Empty if all areas are.
+    // By triangle: true if its area is positive. Empty if all areas are positive.
     std::vector<std::uint8_t> has_area;
 
     bool is_proper(std::size_t triangle) const noexcept { return has_area.empty() || has_area[triangle] != 0; }
 };
 
-// By vertex: the least vertex at the same coordinates. Empty if no two vertices have the same coordinates.
+// Returns, by vertex, the least vertex with the same coordinates. Returns an empty list if no two vertices have the
+// same coordinates.
 std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices);
 
-// Gives corners at equal coordinates one index, and finds the triangles of positive area. Cost: one pass over the
-// vertices, with a hash table, and one over the triangles.
+// Replaces corners by the least vertices with the same coordinates, and finds the triangles of positive area. Cost: one
+// pass over the vertices, with a hash table, and one over the triangles.
 ProperMesh find_proper(std::shared_ptr<const Mesh> mesh);
 
-// True if three points are not on one line. Exact.
+// True if the three points are not on one line. Exact.
 bool have_area(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
 
-// Compares points by x, then y, then z; the result is negative, zero or positive. On a line it is the order along the
-// line. Coordinates are compared by their bits, so a floating-point mode that treats subnormals as zero changes
-// nothing.
+// Compares points by x, then y, then z; the result is negative, zero or positive. Points of one line are so ordered
+// along the line. Coordinates are compared by their bits, so a floating-point mode that treats subnormals as zero
+// changes nothing.
 int compare_points(const Vec3& a, const Vec3& b) noexcept;
 
 }  // namespace ecods

@@ -20,7 +20,7 @@ RayQuery::RayQuery(Frame& frame, std::size_t body, const MeshTree& tree, std::ve
       counts_(counts),
       bounds_(determinant_bounds(frame, frame.delta())) {}
 
-// The point relative to the body's translation, with its error bound.
+// Returns the point relative to the translation of body_, with its error bound.
 RayOrigin RayQuery::origin_of(VertexRef point) const {
     const BodyRef& of = frame_.body(point.body);
     const Vec3 d = of.pose->t - frame_.body(body_).pose->t;
@@ -29,7 +29,8 @@ RayOrigin RayQuery::origin_of(VertexRef point) const {
     return {Vec3(p[0], p[1], p[2]), point_error_bound(of.pose->R, v.cwiseAbs(), d)};
 }
 
-// The axes, as bits, on which the normal of a triangle is not zero. The triangle has an area, so there is one at least.
+// Returns the axes, as bits, on which the triangle's normal is not zero. The triangle must have an area, so there is
+// one.
 std::uint32_t RayQuery::axes_across(std::size_t of, const Triangle& triangle) {
     const std::array<VertexRef, 3> corners = corners_and(of, triangle);
     std::uint32_t axes = 0;
@@ -50,7 +51,7 @@ std::uint32_t RayQuery::axes_across(std::size_t of, const Triangle& triangle) {
     });
 }
 
-// Decides only if no sign is zero: all points infinitely near to `from` then have the same signs.
+// Decides only if no sign is zero. Then all points infinitely near to `from` have the same signs, and the same answer.
 RayQuery::Answer RayQuery::filter(std::uint32_t triangle, VertexRef from, RayDirection ray) {
     if (doubles_are_exact()) return Answer::open;
     const Triangle& corners = triangle_at(body_, triangle);
@@ -116,7 +117,8 @@ bool RayQuery::is_inside_above(std::uint32_t index) {
     if (!may_meet) return false;
     const int turn = with_signs(frame_, corners_and(body_, triangle),
                                 [&](auto& signs) { return signs.orient2d(0, 1, 2, ray.axis); });
-    // The ray is on the side from which the corners turn left if the normal has the ray's direction.
+    // If the normal has the ray's direction, the ray is on the side from which the corners turn left; if not, on the
+    // other side.
     const bool is_odd = crosses_odd(ray, body_, triangle, index);
     return turn == ray.sign ? is_odd : !is_odd;
 }
@@ -142,7 +144,7 @@ Side RayQuery::side_beside(VertexRef p, VertexRef q, VertexRef r) {
 
 namespace {
 
-// Keeps the feature that holds the point if it is the first so far.
+// Stores the feature in place.on if it is one, and the first in the order of kinds, triangles and corners so far.
 void note(const PointFeature& feature, std::uint32_t triangle, RayQuery::Place& place) {
     using Kind = PointFeature::Kind;
     if (feature.kind == Kind::none) return;

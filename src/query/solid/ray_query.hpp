@@ -19,49 +19,50 @@ namespace ecods {
 
 inline constexpr std::uint32_t no_triangle = ~std::uint32_t{0};
 
-// The corners of a triangle of a body, followed by other vertices.
+// Returns the corners of a triangle of a body, followed by other vertices.
 template <class... Others>
 constexpr std::array<exact::VertexRef, 3 + sizeof...(Others)> corners_and(std::size_t body, const Triangle& triangle,
                                                                           const Others&... others) noexcept {
     return {exact::VertexRef{body, triangle[0]}, {body, triangle[1]}, {body, triangle[2]}, others...};
 }
 
-// Casts rays against one body of a frame. The body's pose is regular, except for flat_place_of.
+// RayQuery casts rays against one body of a frame. The body's pose must be regular, except for flat_place_of().
 class RayQuery {
   public:
-    // `frame` must be bound, and `tree` be that of the body's mesh. All arguments must outlive this object.
+    // `frame` must be bound, and `tree` must be the tree of the body's mesh. All arguments must outlive this object.
     RayQuery(exact::Frame& frame, std::size_t body, const MeshTree& tree, std::vector<TreeRef>& stack,
              QueryCounts& counts);
 
-    // True if the points inside `triangle`, of body `of`, that are infinitely near to its corner 0 are inside the
-    // solid. The triangle must have an area, and share no segment with a triangle of the solid at that corner.
+    // True if the points in the interior of `triangle`, of body `of`, that are infinitely near to its corner 0 are
+    // inside the solid. The triangle must have an area. At that corner it must share no segment with a triangle of the
+    // solid.
     bool is_inside(std::size_t of, const Triangle& triangle);
 
-    // True if the region beside triangle `index` of this body, on the side from which its corners turn left, is inside.
-    // The ray ignores the triangle itself.
+    // True if the region beside triangle `index` of this body is inside, on the side from which the triangle's corners
+    // turn left. The ray ignores the triangle itself.
     bool is_inside_above(std::uint32_t index);
 
     struct Place {
-        bool is_inside;             // valid if the point is not on the surface
-        std::optional<Feature> on;  // the first feature that holds the point
+        bool is_inside;             // meaningful only if `on` is empty
+        std::optional<Feature> on;  // the first feature of the surface that contains the point
     };
     Place place_of(exact::VertexRef point);
 
-    // The side of the surface of the point p + d (q - p) + d^2 (r - p), for an infinitesimal d > 0. The points may be
-    // equal. Side::on comes without a feature.
+    // Returns the side of the surface on which the point p + d (q - p) + d^2 (r - p) is, for an infinitesimal d > 0.
+    // The points p, q and r may be equal. The result Side::on names no feature.
     Side side_beside(exact::VertexRef p, exact::VertexRef q, exact::VertexRef r);
 
-    // Answers place_of under any pose, for a body without inner points. Triangles that have zero area in the mesh are
-    // left out; triangles that only the pose makes flat are not.
+    // Answers place_of() under any pose, also a singular one, for a body without inner points. Triangles that have zero
+    // area in the mesh are left out; triangles that only the pose makes flat are not.
     Place flat_place_of(exact::VertexRef point);
 
   private:
-    // The filter's answer about a ray and a triangle; open if the filter is not certain.
+    // Says what the filter proves about a ray and a triangle; `open` if it proves nothing.
     enum class Answer : std::uint8_t { misses, crosses, open };
 
     RayOrigin origin_of(exact::VertexRef point) const;
     std::uint32_t axes_across(std::size_t of, const Triangle& triangle);
-    // Calls take(triangle) for each triangle of the body that the ray may meet, until take returns false.
+    // Calls take(triangle) for each triangle of the body that the ray may meet, until take() returns false.
     template <class Take>
     void walk(const TreeRay& ray, Take&& take);
     bool crosses_odd(const TreeRay& ray, std::size_t of, const Triangle& triangle, std::uint32_t left_out);

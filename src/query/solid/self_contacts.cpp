@@ -57,26 +57,26 @@ class SelfContacts {
     }
 
   private:
-    // Two triangles and their corners, the first triangle's corners first.
+    // Holds two triangles and their corners: the corners of a, then those of b.
     struct Pair {
         Triangle a, b;
         Points<6> points;
-        std::array<int, 3> shared{-1, -1, -1};  // by corner of a: its position in b, or -1
+        std::array<int, 3> shared{-1, -1, -1};  // by corner of a: the same corner's position in b, or -1
         int shared_count = 0;
 
-        // The position in a, and in b, of the only common corner.
+        // Returns the position of the only common corner, in a and in b.
         std::array<std::size_t, 2> common_corner() const noexcept {
             const std::size_t i = shared[0] >= 0 ? 0 : shared[1] >= 0 ? 1 : 2;
             return {i, static_cast<std::size_t>(shared[i])};
         }
-        // The first corner of b that is not a corner of a.
+        // Returns the position of the first corner of b that is not a corner of a.
         std::size_t own_corner_of_b() const noexcept {
             std::size_t j = 0;
             while (std::ranges::find(a, b[j]) != a.end()) ++j;
             return j;
         }
     };
-    // Bit 3 i + j of `overlaps`: side i of the first triangle and side j of the second share a segment but are
+    // Bit 3 i + j of `overlaps` is set if side i of the first triangle and side j of the second share a segment but are
     // different edges.
     struct Contact {
         bool is_crossing = false;
@@ -102,9 +102,9 @@ class SelfContacts {
         return pair;
     }
 
-    // Returns true if a side of one triangle separates the shadows of both along the axis on which the normal of the
-    // first is largest: they then share at most the corners that lie on this side. Only sides that hold all common
-    // corners are tried; with two common corners, that is one side.
+    // Returns true if a side of one triangle separates the two triangles' projections along the axis on which the
+    // normal of the first is largest. The triangles then share at most the corners that lie on this side. Only sides
+    // that contain all common corners are tried; if there are two common corners, that is one side.
     bool is_flat_apart(const Pair& pair) const {
         const auto& w = pair.points;
         const PlainNormal normal = plain_normal(w[0], w[1], w[2]);
@@ -131,7 +131,7 @@ class SelfContacts {
         return false;
     }
 
-    // Two triangles with a common edge share more than the edge only if they are coplanar.
+    // Filters two triangles with a common edge: if they are not coplanar, they share only this edge.
     static Answer filter_neighbours(const Pair& pair, double bound) {
         const auto& w = pair.points;
         return certain_sign(plain_orient3d(w[0], w[1], w[2], w[3 + pair.own_corner_of_b()]), bound) != 0
@@ -139,9 +139,9 @@ class SelfContacts {
                    : Answer::open;
     }
 
-    // Filters two triangles with one common corner. The sign of that corner about the other triangle's plane is set to
-    // 0, whatever was computed. A comparison along the line of both planes has the sign 0 if both its edges end in the
-    // common corner.
+    // Filters two triangles with one common corner. This corner is in the other triangle's plane, so its sign is set to
+    // 0, whatever was computed. An edge comparison along the line of both planes has the sign 0 if both compared edges
+    // end in the common corner.
     static Answer filter_across_vertex(const Pair& pair, double bound) {
         const auto [i, j] = pair.common_corner();
         const auto others_of = [bound](const PlaneSides& sides, std::size_t corner, Sides& signs) {
@@ -176,7 +176,7 @@ class SelfContacts {
             case 2:
                 return filter_neighbours(pair, bound);
             default:
-                return Answer::crossing;  // one triangle twice
+                return Answer::crossing;  // the same triangle twice
         }
     }
 
@@ -191,13 +191,13 @@ class SelfContacts {
                 if (!is_one_edge(pair.a, i, pair.b, j)) result.overlaps = 1u << (3 * i + j);
             } else if (contact.kind == ContactKind::coplanar) {
                 result.is_crossing = coplanar_faces_overlap(signs, signs.normal_axis(0));
-                // Two triangles whose insides are disjoint share a convex set. If it contains a common edge, it is that
-                // edge.
+                // Two triangles with disjoint interiors share a convex set. If this set contains a common edge, it is
+                // that edge.
                 if (result.is_crossing || pair.shared_count == 2) return result;
                 const int axis = signs.normal_axis(0);
                 for (int i = 0; i < 3; ++i) {
-                    // Only sides that end in the common corner can overlap along a segment while the insides are
-                    // disjoint.
+                    // If there is one common corner and the interiors are disjoint, only sides that end in this corner
+                    // can overlap.
                     if (pair.shared_count == 1 && pair.shared[static_cast<std::size_t>(i)] < 0 &&
                         pair.shared[static_cast<std::size_t>(i + 1) % 3] < 0) {
                         continue;

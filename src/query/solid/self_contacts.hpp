@@ -1,5 +1,5 @@
-// Finds how the triangles of a proper mesh meet each other, in the mesh's own coordinates. `tree` is the tree of the
-// mesh that `proper` was made from.
+// Finds how the triangles of a proper mesh meet each other, in the mesh's own coordinates. `tree` must be the tree of
+// the mesh from which `proper` was made.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,19 @@
 
 namespace ecods {
 
-// Two different edges that overlap along a segment, each given as a side of a triangle.
+// Holds two different edges that overlap along a segment, each as a side of a triangle.
 struct EdgeOverlap {
     SideRef a;
     SideRef b;
 };
 
-// The least pair of triangles that share a segment or more which is not a side of both; nullopt if there is none. In
-// that case `overlaps` receives the pairs of sides that overlap along a segment without being one edge.
+// Returns the least pair of triangles that share a segment or more which is not a side of both; nullopt if there is no
+// such pair. If there is none, appends to `overlaps` the pairs of sides that overlap along a segment but are different
+// edges.
 std::optional<TrianglePair> least_self_contact(const ProperMesh& proper, const MeshTree& tree,
                                                std::vector<EdgeOverlap>& overlaps);
 
-// All such pairs of triangles, ascending.
+// Returns all pairs of triangles that share a segment or more which is not a side of both, ascending.
 std::vector<TrianglePair> all_self_contacts(const ProperMesh& proper, const MeshTree& tree);
 
 }  // namespace ecods

@@ -27,7 +27,7 @@ class ShellFinder {
         for (std::uint32_t i = 0; i < count; ++i) {
             if (!proper_.is_proper(i) || shells_.of_triangle[i] != no_shell) continue;
             shells_.first.push_back(i);
-            // The normal is to point out: the triangle faces in if the region above it is inside.
+            // The triangle's normal points to the region above it. If that region is inside, the triangle faces in.
             take(i, rays.is_inside_above(i));
             while (!open_.empty()) {
                 const std::uint32_t next = open_.back();
@@ -47,16 +47,17 @@ class ShellFinder {
         open_.push_back(triangle);
     }
 
-    // True if the sector just after a triangle, turning around its edge from the lesser vertex to the greater one, is
-    // inside, given that the triangle's corners turn left seen from outside. Its normal then points out. If the side
-    // begins at the lesser vertex, the corners turn around the edge in that sense and the normal is the direction of
-    // the turn, so that the sector after the triangle is outside.
+    // Returns true if the sector just after the side's triangle is inside, in the case that the triangle's corners turn
+    // left seen from outside. Sectors are passed while turning around the edge from its lesser vertex to its greater
+    // one. In this case the triangle's normal points out. If the side begins at the lesser vertex, the normal points in
+    // the direction of the turn, so the sector after the triangle is outside.
     bool inside_after(const SideRef& side) const {
         const auto corners = corners_from(triangles(), side);
         return corners[0] > corners[1];
     }
 
-    // Reaches the other triangles of an edge. Around the edge, outside and inside alternate.
+    // Adds the other triangles of an edge to the shell. Around the edge the sectors alternate between outside and
+    // inside; this determines for each triangle whether it faces in.
     void cross_edge(const SideRef& from) {
         const auto sides = edges_.sides(edges_.edge_of(from));
         const bool wanted = inside_after(from) != (shells_.faces_in[from.triangle] != 0);

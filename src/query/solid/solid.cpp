@@ -1,5 +1,6 @@
 #include "ecods/solid.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,12 +14,12 @@
 namespace ecods {
 namespace {
 
-// Makes a pointer to a mesh that somebody else owns.
+// Returns a pointer to a mesh that it does not own.
 std::shared_ptr<const Mesh> borrowed(const Mesh& mesh) {
     return {std::shared_ptr<const void>(), &mesh};
 }
 
-// Holds what the check of a mesh that bounds a solid found.
+// Holds the results of the check that a mesh bounds a solid.
 struct Checked {
     ProperMesh proper;
     MeshEdges edges;
@@ -29,12 +30,32 @@ struct Checked {
 Checked check(const MeshShape& shape) {
     Checked result;
     result.proper = find_proper(shape.mesh_ptr());
+    if (std::ranges::none_of(result.proper.has_area, [](auto has) { return has != 0; }) &&
+        !result.proper.has_area.empty())
+        throw no_area(shape.mesh().vertices().size());
     result.edges = MeshEdges(result.proper);
     check_closed(shape.mesh(), result.proper, result.edges);
     result.star_faces_in = prove_star(result.proper, result.edges);
     if (!result.star_faces_in.empty()) return result;
     const auto least = least_self_contact(result.proper, MeshShapeAccess::tree(shape), result.overlaps);
     if (least) throw self_intersection(*least);
+    return result;
+}
+
+// Leaves out the triangles of zero area.
+SolidBoundary find_boundary(const Solid& solid) {
+    const std::vector<std::uint8_t>& has_area = SolidAccess::parts(solid).has_area;
+    SolidBoundary result;
+    if (has_area.empty()) return result;
+    const Mesh& mesh = solid.mesh();
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < has_area.size(); ++i) {
+        if (has_area[i] == 0) continue;
+        triangles.push_back(mesh.triangles()[i]);
+        result.names.push_back(i);
+    }
+    result.shape = std::make_unique<const MeshShape>(
+        Mesh::create({mesh.vertices().begin(), mesh.vertices().end()}, std::move(triangles)));
     return result;
 }
 
@@ -49,9 +70,13 @@ std::vector<TrianglePair> self_intersections(const Mesh& mesh) {
     return all_self_contacts(find_proper(shape.mesh_ptr()), MeshShapeAccess::tree(shape));
 }
 
-Solid::Solid(std::shared_ptr<const Mesh> mesh) : MeshShape(std::move(mesh)), solid_parts_(std::make_unique<Parts>()) {
+Solid::Solid(std::shared_ptr<const Mesh> mesh) : Solid(std::move(mesh), MeshForm::solid) {}
+
+Solid::Solid(std::shared_ptr<const Mesh> mesh, MeshForm form)
+    : MeshShape(std::move(mesh), form), solid_parts_(std::make_unique<Parts>()) {
     Checked checked = check(*this);
     Parts& parts = *solid_parts_;
+    parts.has_area = checked.proper.has_area;
     if (checked.overlaps.empty()) {
         parts.proper = std::move(checked.proper);
         parts.edges = std::move(checked.edges);
@@ -70,6 +95,18 @@ Solid::~Solid() = default;
 const MeshTree& SolidAccess::tree(const Solid& solid) {
     const auto& split = parts(solid).split_shape;
     return MeshShapeAccess::tree(split ? *split : static_cast<const MeshShape&>(solid));
+}
+
+std::shared_ptr<const MeshShape> surface_of(const Solid& solid) {
+    return SolidAccess::surface(solid);
+}
+
+const std::shared_ptr<const MeshShape>& SolidAccess::surface(const Solid& solid) {
+    return solid.solid_parts_->surface.get([&] { return MeshShapeAccess::surface(solid); });
+}
+
+const SolidBoundary& SolidAccess::boundary(const Solid& solid) {
+    return solid.solid_parts_->boundary.get([&] { return find_boundary(solid); });
 }
 
 const Shells& SolidAccess::shells(const Solid& solid) {

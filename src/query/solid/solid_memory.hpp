@@ -1,4 +1,4 @@
-// Scratch memory of the questions about solids.
+// SolidMemory is the scratch memory of the questions about solids.
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@
 
 namespace ecods {
 
-// A hash set of pairs of numbers.
+// PairSet is a hash set of pairs of numbers.
 class PairSet {
   public:
-    // Empties the set in constant time, by a new epoch.
+    // Empties the set in constant time, by beginning a new epoch.
     void clear() noexcept {
         ++epoch_;
         count_ = 0;
     }
 
-    // Adds a pair; true if it was not in the set.
+    // Adds a pair, and returns true if it was not in the set before.
     bool insert(std::uint64_t a, std::uint64_t b) {
         if (2 * count_ >= entries_.size()) grow();
         Entry& entry = find(entries_, a, b);
@@ -36,7 +36,8 @@ class PairSet {
 
   private:
     struct Entry {
-        std::uint64_t epoch = 0;  // epoch in which the entry was written; any other than the current one means free
+        std::uint64_t epoch =
+            0;  // epoch in which the entry was written; the entry is free unless it is the current one
         std::uint64_t a = 0, b = 0;
     };
 
@@ -62,13 +63,13 @@ class PairSet {
 struct SolidMemory final : QueryMemoryPart {
     exact::Frame frame;
     std::vector<TreeRef> stack;
-    std::array<std::vector<std::uint8_t>, 2> met;  // by solid and shell: not 0 if a segment of contact was found
+    std::array<std::vector<std::uint8_t>, 2> met;  // by solid and shell: not 0 if the shell has a segment of contact
     PairSet fans;
     std::vector<Wing> wings;
-    // Used for a surface against a solid:
-    std::vector<std::uint8_t> contacts;  // by triangle
+    // The following members are used for a surface against a solid.
+    std::vector<std::uint8_t> contacts;  // by triangle: a SurfaceSearch::Contact
     std::vector<std::uint32_t> parents;  // by vertex: union-find parent
-    std::vector<std::uint8_t> placed;    // by root vertex of a piece: not 0 if its side is known
+    std::vector<std::uint8_t> placed;    // by vertex, if it is a union-find root: not 0 if its piece's side is known
 
     static SolidMemory& of(QueryMemory& memory) {
         return QueryMemoryAccess::part<SolidMemory>(memory, &QueryMemoryAccess::State::solid);

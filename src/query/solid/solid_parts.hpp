@@ -1,6 +1,7 @@
-// Defines what a Solid holds beside its mesh and its tree.
+// Defines the data that a Solid holds in addition to its mesh and its tree.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -14,17 +15,28 @@
 
 namespace ecods {
 
+// The triangles of positive area of a solid's mesh.
+struct SolidBoundary {
+    std::unique_ptr<const MeshShape> shape;  // null if all triangles have area
+    std::vector<std::uint32_t> names;        // by triangle of `shape`: the triangle of the solid's mesh
+};
+
 struct Solid::Parts {
-    // The triangles of the solid. They have the indices of its mesh unless edges were split.
+    // The triangles that bound the solid. They have the indices of the solid's mesh unless edges were split.
     ProperMesh proper;
     MeshEdges edges;
-    // By triangle of proper.mesh: the triangle that it was cut out of. Empty if no edges were split.
+    // By triangle of proper.mesh: the triangle of the solid's mesh that it is a piece of. Empty if no edges were split.
     std::vector<TriangleOrigin> origins;
-    // The shape of proper.mesh if edges were split. Otherwise null: the solid's own tree is then that of proper.mesh.
+    // The shape of proper.mesh if edges were split. Otherwise null, because the solid's own tree is the tree of
+    // proper.mesh.
     std::unique_ptr<const MeshShape> split_shape;
-    // The result of prove_star(), from which the shells are made; empty if it proved nothing.
+    // The result of prove_star(), from which the shells are made; empty if prove_star() proved nothing.
     std::vector<std::uint8_t> star_faces_in;
     Lazy<Shells> shells;
+    // By triangle of the solid's mesh: true if its area is positive. Empty if all areas are.
+    std::vector<std::uint8_t> has_area;
+    Lazy<std::shared_ptr<const MeshShape>> surface;
+    Lazy<SolidBoundary> boundary;
 };
 
 // Gives the library access to the parts of a Solid.
@@ -32,8 +44,10 @@ struct SolidAccess {
     using Parts = Solid::Parts;
 
     static const Parts& parts(const Solid& solid) noexcept { return *solid.solid_parts_; }
-    static const MeshTree& tree(const Solid& solid);  // tree of parts().proper.mesh
-    static const Shells& shells(const Solid& solid);  // made on first use
+    static const MeshTree& tree(const Solid& solid);                             // tree of parts().proper.mesh
+    static const Shells& shells(const Solid& solid);                             // made on first use
+    static const std::shared_ptr<const MeshShape>& surface(const Solid& solid);  // made on first use
+    static const SolidBoundary& boundary(const Solid& solid);                    // made on first use
 };
 
 void require_valid(const Vec3& point);  // throws InvalidArgument

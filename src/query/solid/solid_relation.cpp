@@ -4,14 +4,15 @@
 #include <span>
 
 #include "bvh/walks/walk_two.hpp"
-#include "ecods/solid.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "exact/simplex/triangle_contact.hpp"
+#include "query/intersection/asking.hpp"
 #include "query/intersection/overlap_bound.hpp"
 #include "query/solid/fan.hpp"
 #include "query/solid/pair_contacts.hpp"
 #include "query/solid/ray_query.hpp"
+#include "query/solid/relations.hpp"
 #include "query/solid/solid_memory.hpp"
 #include "query/solid/solid_parts.hpp"
 #include "query/solid/surfaces_meet.hpp"
@@ -22,8 +23,8 @@ using namespace exact;
 
 namespace {
 
-// Finds which kinds of open regions two posed solids have, and whether they touch (README.md proves that this
-// suffices).
+// Finds which of the regions `in_both`, `in_a_only` and `in_b_only` two posed solids have, and whether their surfaces
+// touch. README.md proves that this suffices for the relation.
 class SolidSearch {
   public:
     // Both poses must be regular.
@@ -50,7 +51,7 @@ class SolidSearch {
     }
 
   private:
-    // The kinds of open regions, as bits.
+    // The regions of space without both surfaces, as bits: in both solids, in a only, in b only.
     enum : unsigned { in_both = 1, in_a_only = 2, in_b_only = 4, all_regions = 7 };
 
     struct Body {
@@ -63,7 +64,8 @@ class SolidSearch {
             : at(posed), parts(SolidAccess::parts(*posed.what)), shells(SolidAccess::shells(*posed.what)) {}
         std::span<const Triangle> triangles() const { return at.body.mesh->triangles(); }
     };
-    // The part of a triangle that a segment lies on: one of its sides, or TriangleContact::face.
+    // Names the part of a triangle on which a segment lies: side number `side`, or the face if `side` is
+    // TriangleContact::face.
     struct Part {
         std::size_t solid;
         std::uint32_t triangle;
@@ -98,7 +100,7 @@ class SolidSearch {
         if (found.kind == ContactKind::point) return;
         const Part a{0, i, found.first}, b{1, j, found.second};
         if (a.is_face() && b.is_face()) {
-            // Two faces that cross in a segment have regions of all kinds around it.
+            // Around a segment in which two faces cross there are regions of all kinds.
             regions_ = all_regions;
             return;
         }
@@ -106,14 +108,14 @@ class SolidSearch {
         turn_around(a, b);
     }
 
-    // A number for the edge or the face of a solid.
+    // Returns a number that is unique to the edge or face among all edges and faces of its solid.
     std::uint64_t name_of(const Part& part) const {
         if (part.is_face()) return 2 * std::uint64_t{part.triangle} + 1;
         return 2 * std::uint64_t{bodies_[part.solid].parts.edges.edge_of(part.side_ref())};
     }
 
-    // Adds the kinds of regions around a segment that a feature of each solid contains. One feature at least is an
-    // edge.
+    // Adds the regions around a segment that lies on a part of each solid. At least one of the parts must be a side.
+    // Each pair of features is handled once.
     void turn_around(const Part& a, const Part& b) {
         if (!memory_.fans.insert(name_of(a), name_of(b))) return;
         const Part& lead = a.is_face() ? b : a;
@@ -130,8 +132,9 @@ class SolidSearch {
         part.is_face() ? add_face_wings(part, line) : add_edge_wings(part, line);
     }
 
-    // Adds the triangles around an edge. If the line has the direction of a triangle's side, turning around it leaves
-    // the triangle to the side from which its corners turn left, which is the outer side unless the triangle faces in.
+    // Adds a wing for each triangle around an edge. If a triangle's side has the direction of the line, turning around
+    // the line leaves the triangle on the side from which its corners turn left. That is the outer side unless the
+    // triangle faces in.
     void add_edge_wings(const Part& part, const Line& line) {
         const Body& body = bodies_[part.solid];
         const std::uint32_t first = corners_from(body.triangles(), part.side_ref())[0],
@@ -145,7 +148,8 @@ class SolidSearch {
         }
     }
 
-    // Adds the two halves of a face's plane, each with a corner on its side of the line as apex.
+    // Adds a wing for each of the two halves of a face's plane. Its apex is a corner of the face on that side of the
+    // line.
     void add_face_wings(const Part& part, const Line& line) {
         const Triangle& corners = bodies_[part.solid].triangles()[part.triangle];
         const auto at = [&](std::size_t k) { return VertexRef{part.solid, corners[k]}; };
@@ -162,7 +166,7 @@ class SolidSearch {
         }
     }
 
-    // Adds the region that each sector is part of. One turn, beginning with the sector after the last wings.
+    // Adds the region of each sector between wings. Makes one turn around the line, beginning with the first sector.
     void read_sectors() {
         const std::vector<Wing>& wings = memory_.wings;
         std::array<bool, 2> is_inside{};
@@ -180,7 +184,8 @@ class SolidSearch {
         }
     }
 
-    // Adds the regions beside each shell without a segment of contact: it is on one side of the other solid's surface.
+    // Adds the regions beside each shell without a segment of contact. The whole shell is on one side of the other
+    // solid's surface, so one ray decides.
     void find_places(std::size_t solid) {
         const Body& own = bodies_[solid];
         const unsigned own_only = solid == 0 ? in_a_only : in_b_only, other_only = solid == 0 ? in_b_only : in_a_only;
@@ -208,7 +213,8 @@ class SolidSearch {
     bool touch_ = false;
 };
 
-// True if a shell of `a`, flat or not, is inside b. The pose of b is regular, and the surfaces share no point.
+// Returns true if a shell of `solid`, posed as `a`, is inside b. Call only if the pose of b is regular and the surfaces
+// share no point. The pose of `a` may be singular.
 bool has_shell_inside(const Solid& solid, const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory) {
     SolidMemory& own = SolidMemory::of(memory);
     const std::array<BodyRef, 2> bodies{a.body, b.body};
@@ -220,9 +226,9 @@ bool has_shell_inside(const Solid& solid, const SurfaceAt& a, const SurfaceAt& b
     });
 }
 
-// Relates two solids of which one pose at least is singular. The image of a solid under a singular matrix is the image
-// of its surface: on a line that is mapped to one point, an inner point is between two points of the surface. So the
-// image has no inner point.
+// Relates two solids if at least one of the poses is singular. The image of a solid under a singular matrix is the
+// image of its surface. Proof: on a line that is mapped to one point, an inner point is between two points of the
+// surface. So the image has no inner point.
 Relation flat_relation(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
     ++QueryMemoryAccess::state(memory).counts.queries;
     const SurfaceAt surface_a(a), surface_b(b);

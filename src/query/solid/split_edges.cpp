@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-// A vertex that divides a side of a triangle.
+// Names a side of a triangle, and a vertex inside it at which the side is divided.
 struct Cut {
     SideRef side;
     std::uint32_t vertex;
@@ -16,8 +16,8 @@ struct Cut {
     friend constexpr auto operator<=>(const Cut&, const Cut&) = default;
 };
 
-// A piece of a triangle. By side: the side of the whole triangle that contains it, and the vertices inside it, in the
-// side's order.
+// Holds a piece of a triangle. `sides` names, by side of the piece, the side of the whole triangle that contains it;
+// `inside` has the vertices at which the side must still be divided, in the order of the side.
 struct Part {
     Triangle corners;
     std::array<std::uint8_t, 3> sides;
@@ -29,7 +29,7 @@ class Splitter {
     explicit Splitter(const ProperMesh& proper)
         : triangles_(proper.mesh->triangles()), vertices_(proper.mesh->vertices()) {}
 
-    // Cuts each side at the ends of the other side that are inside it.
+    // Records cuts of each of the two sides, at the ends of the other side that are inside it.
     void add(const EdgeOverlap& overlap) {
         add_ends(overlap.a, overlap.b);
         add_ends(overlap.b, overlap.a);
@@ -80,8 +80,9 @@ class Splitter {
         });
     }
 
-    // Cuts a triangle into a fan from the corner opposite to a side, over the vertices inside that side. The first and
-    // the last triangle of the fan each have one of the other two sides, which are divided in turn.
+    // Divides a triangle, and appends its pieces to `result`. A side with vertices inside is divided by a fan from the
+    // opposite corner over these vertices. The first and the last piece of the fan each have one of the other two
+    // sides, which are divided later.
     static void divide(std::uint32_t triangle, Part whole, std::vector<Triangle>& result,
                        std::vector<TriangleOrigin>& origins) {
         std::vector<Part> open;

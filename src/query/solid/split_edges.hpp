@@ -1,4 +1,4 @@
-// Divides the edges of a solid's triangles where other edges that lie along them end.
+// Divides edges of a solid's triangles at the ends of other edges that lie along them.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace ecods {
 
-// Names the triangle that a triangle was cut out of.
+// Names the triangle of which a triangle is a piece.
 struct TriangleOrigin {
-    static constexpr std::uint8_t none = 3;  // for a side inside the triangle
+    static constexpr std::uint8_t none = 3;  // for a side inside `triangle`
 
     std::uint32_t triangle;
-    std::array<std::uint8_t, 3> sides;  // by side: the side of `triangle` that contains it, or none
+    std::array<std::uint8_t, 3> sides;  // by side of the piece: side of `triangle` that contains it, or none
 };
 
 struct SplitMesh {
@@ -23,9 +23,9 @@ struct SplitMesh {
     std::vector<TriangleOrigin> origins;  // by triangle of `mesh`, ascending
 };
 
-// Divides triangles, without new vertices, until two edges are either one edge or share at most a point. `overlaps`
-// lists all pairs of edges that share a segment without being one. Triangles of zero area are left out. Cost: n log n
-// in the number of overlaps, and a pass over the triangles.
+// Divides triangles, without new vertices, until any two sides are the same edge or share at most a point. `overlaps`
+// must list all pairs of sides that share a segment but are different edges. Triangles of zero area are left out. Cost:
+// n log n in the number of overlaps, and a pass over the triangles.
 SplitMesh split_edges(const ProperMesh& proper, std::span<const EdgeOverlap> overlaps);
 
 }  // namespace ecods

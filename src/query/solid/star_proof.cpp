@@ -16,29 +16,31 @@
 //   (1) every edge is a side of exactly two triangles, and their third corners are strictly on different sides of the
 //       plane through o and the edge; and
 //   (2) some half-line from o meets no edge, and exactly one triangle.
-// Then no two triangles share a segment or more which is not a side of both, and no two different edges share one.
+// Then no two triangles share a segment or more which is not a side of both, and no two different edges share a
+// segment.
 //
-// Proof. Let P be the central projection from o onto a sphere around it. As o is off the plane of a triangle, P is one
-// to one on the triangle, and maps its inside to an open set and its sides to arcs of great circles. Let N(x) be the
-// number of triangles with x in the image of their inside, for x on the sphere but on no arc. N is constant where no
-// arc is crossed. Let x be a point of arcs that is the end of none and not where arcs of two circles meet: these are
-// all points of the arcs but for finitely many. All arcs through x lie along one circle; by (1) each is the side of one
-// triangle on this side of it and of one on that side, and any other triangle with x in its image has it inside. So N
-// is the same on both sides of x. Finitely many points do not part a sphere, so N is constant, and by (2) it is 1.
+// Proof. Let P be the central projection from o onto a sphere around o. As o is off the plane of a triangle, P is one
+// to one on the triangle, and maps its interior to an open set and its sides to arcs of great circles. For x on the
+// sphere but on no arc, let N(x) be the number of triangles whose interiors have x in their image. N is constant where
+// no arc is crossed. Let x be a point of arcs that is the end of no arc and not where arcs of two circles meet: these
+// are all points of the arcs but for finitely many. All arcs through x lie along one circle. By (1) each of them is the
+// side of one triangle on the one side of the circle and of one triangle on the other. Any other triangle with x in its
+// image has x in the image of its interior. So N is the same on both sides of x. Finitely many points do not separate a
+// sphere, so N is constant, and by (2) it is 1.
 //
-// So the images of the insides of two triangles are disjoint: what they shared would be open, and N were 2 at a point
-// of it. Let triangles S and T share a segment s. If P(s) had a point in the image of the inside of S, that image,
-// being open, would have points of the inside of T's: so s is in the border of S, along a side, and likewise of T.
-// Let s be along sides that are not one edge, and x a point of P(s) of the kind above. The two triangles of S's edge
-// fill both sides of the circle near x, and so does the image of T's inside one of them: T is one of these two. But
-// then T has two sides along one line, and no area. QED.
+// So the images of the interiors of two triangles are disjoint: their common part would be open, and N would be 2 at a
+// point of it. Let triangles S and T share a segment s. Suppose that P(s) had a point in the image of the interior of
+// S. That image is open, so it would contain points of the image of the interior of T. So s is in the border of S,
+// along a side, and likewise in the border of T. Let s be along sides that are not one edge, and x a point of P(s) of
+// the kind above. The two triangles of S's edge fill both sides of the circle near x, and the image of T's interior
+// fills one of these sides: T is one of the two triangles. But then T has two sides along one line, and no area. QED.
 //
-// The surface is connected over edges: a way on the sphere from one triangle to another need not meet the ends of arcs,
-// and where it crosses an arc it goes to the other triangle of an edge. So it is one shell. By N = 1 every half-line
-// from o meets it once: o is inside, and so is the side of each triangle on which o is.
+// The surface is connected over edges: a path on the sphere from one triangle to another can avoid the ends of arcs,
+// and where it crosses an arc it goes to the other triangle of an edge. So the surface is one shell. By N = 1 every
+// half-line from o meets it once. So o is inside, and so is the side of each triangle on which o is.
 //
-// All signs are those of the filter: what is not certain proves nothing, and neither the choice of o nor its rounding
-// can make the answer wrong. That o is near the middle only makes it likely that a convex body is seen.
+// All signs are those of the filter: an uncertain sign proves nothing, and neither the choice of o nor its rounding can
+// make the answer wrong. A point o near the middle only makes success likely for a convex body.
 
 namespace ecods {
 namespace {
@@ -64,7 +66,7 @@ class StarProof {
         return std::ranges::any_of(std::array{0, 1, 2}, [&](int axis) { return is_met_once(axis); });
     }
 
-    // By triangle: true if its corners turn right, seen from outside.
+    // Returns by triangle: true if its corners turn right, seen from outside. Call only after find() has returned true.
     std::vector<std::uint8_t> take_sides() noexcept { return std::move(is_above_); }
 
   private:
@@ -76,9 +78,10 @@ class StarProof {
         }
     }
 
-    // Takes a weighted mean of all corners as the origin. The weights have no pattern, because from the exact middle of
-    // a box the half-lines along the axes meet the diagonals of its faces. The mean is clamped to the box around the
-    // corners, for which the error bounds hold, in case rounding moved it out.
+    // Sets the origin to a weighted mean of all corners. The weights have no pattern: from the exact middle of a box,
+    // the half-lines along the axes would meet the diagonals of its faces. The error bounds hold for points in the box
+    // around the corners, so the mean is clamped to this box, in case rounding moved it out. Returns false if the
+    // bounds are infinite.
     bool choose_origin() {
         Point min, max, sum{};
         min.fill(std::numeric_limits<double>::infinity());
@@ -106,7 +109,7 @@ class StarProof {
         return bounds_.orient3d < infinite_bound;
     }
 
-    // Finds for each triangle on which side of its plane the origin is; false if that is not certain.
+    // Finds, for each triangle, the side of its plane on which the origin is. Returns false if a side is not certain.
     bool are_planes_off_origin() {
         is_above_.assign(triangles_.size(), 0);
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -119,9 +122,9 @@ class StarProof {
         return true;
     }
 
-    // Condition (1) for an edge. The sign of orient3d(lesser vertex, greater vertex, third corner, origin) is the sign
-    // of the triangle's corners and the origin if the side begins at its lesser vertex, and the opposite sign
-    // otherwise.
+    // Returns true if an edge with these sides fulfils condition (1). The sign of orient3d(lesser vertex, greater
+    // vertex, third corner, origin) is the sign of orient3d(triangle's corners, origin) if the side begins at its
+    // lesser vertex; otherwise it is the opposite sign.
     bool is_seen_between(std::span<const SideRef> sides) const {
         if (sides.size() != 2) return false;
         const auto is_third_above = [&](const SideRef& side) {
@@ -131,7 +134,7 @@ class StarProof {
         return is_third_above(sides[0]) != is_third_above(sides[1]);
     }
 
-    // Condition (2) for the half-line from the origin along an axis.
+    // Returns true if the half-line from the origin along an axis is proven to fulfil condition (2).
     bool is_met_once(int axis) const {
         std::size_t count = 0;
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -143,9 +146,9 @@ class StarProof {
         return count == 1;
     }
 
-    // The half-line's answer about a triangle. Projected along the axis, the corners turn as the sign of the normal's
-    // component n says. If the line meets the triangle's inside at o + t e, then t n is minus the height of o above the
-    // plane, so t > 0 if n and the height have different signs.
+    // Returns whether the half-line along the axis meets the interior of triangle i. Projected along the axis, the
+    // corners turn as the sign of the normal's component n says. If the line meets the interior at o + t e, then t n is
+    // minus the height of o above the plane. So t > 0 if n and the height have different signs.
     Hit hit_of(std::size_t i, int axis) const {
         const auto t = corners(i);
         for (const int k : {(axis + 1) % 3, (axis + 2) % 3}) {

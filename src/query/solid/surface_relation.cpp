@@ -1,17 +1,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include "bvh/walks/walk_two.hpp"
-#include "ecods/solid.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "exact/simplex/flat_contact.hpp"
+#include "query/intersection/asking.hpp"
 #include "query/intersection/overlap_bound.hpp"
 #include "query/solid/pair_contacts.hpp"
+#include "query/solid/pieces.hpp"
 #include "query/solid/ray_query.hpp"
+#include "query/solid/relations.hpp"
 #include "query/solid/solid_memory.hpp"
 #include "query/solid/solid_parts.hpp"
 #include "query/solid/surfaces_meet.hpp"
@@ -22,10 +23,11 @@ using namespace exact;
 
 namespace {
 
-// Finds on which sides of a posed solid a surface has points (README.md proves that what it looks at suffices).
+// Finds on which sides of a posed solid's boundary a surface has points. README.md proves that the places which it
+// examines suffice.
 class SurfaceSearch {
   public:
-    // The pose of the solid must be regular, and the axes in the memory bound to both trees.
+    // The pose of the solid must be regular, and the axes in the memory must be bound to both trees.
     SurfaceSearch(const SurfaceAt& surface, const Solid& solid, const SurfaceAt& boundary, QueryMemory& memory)
         : surface_(surface),
           boundary_(boundary),
@@ -52,11 +54,11 @@ class SurfaceSearch {
     }
 
   private:
-    // The contact of a triangle with the solid's surface: no common point; only isolated points; or more, in which case
-    // the sides beside that contact were looked at.
+    // Says what a triangle of the surface shares with the solid's boundary: nothing; only isolated points; or more. In
+    // the last case the sides beside the shared set are noted already.
     enum Contact : std::uint8_t { none, at_points, looked_at };
 
-    // True if triangle i has not met this vertex or edge of the solid before. Each is looked at once for each triangle.
+    // Returns true at the first call for triangle i and this vertex or edge of the solid: they are examined once.
     bool is_new(std::uint32_t i, std::uint64_t vertex_or_edge) { return memory_.fans.insert(i, vertex_or_edge); }
     void note(Side side) noexcept {
         has_inner_ |= side == Side::inside;
@@ -86,8 +88,9 @@ class SurfaceSearch {
         }
     }
 
-    // Marks what two coplanar triangles share, and notes no side. Where a piece of the triangle ends at coplanar
-    // triangles, it also ends at triangles of the solid that are not coplanar; their pairs note its side.
+    // Marks what coplanar triangles i and j share, and notes no side. If a region of triangle i ends at coplanar
+    // triangles of the solid, it also ends at triangles of the solid that are not coplanar. Their pairs note the side
+    // of the region.
     void take_coplanar(std::uint32_t i, std::uint32_t j) {
         enum class Shared { nothing, points, face, no_area };
         const Shared shared = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)), [](auto& signs) {
@@ -109,8 +112,8 @@ class SurfaceSearch {
             has_inner_ = has_outer_ = true;
             return;
         }
-        // A side of the triangle is in a face, so the triangle is on the same side of the face as its third corner. The
-        // side from which the face's corners turn left is outside, unless the face faces in.
+        // A side of triangle i is in a face of the solid, so the triangle's interior is on the same side of the face as
+        // its third corner. The side from which the face's corners turn left is outside, unless the face faces in.
         const auto corner = static_cast<std::size_t>(found.first + 2) % 3;
         const auto vertices = corners_and(1, boundary_triangle(j), VertexRef{0, triangle(i)[corner]});
         const int side = with_signs(memory_.frame, vertices, [](auto& signs) { return signs.orient3d(0, 1, 2, 3); });
@@ -119,8 +122,9 @@ class SurfaceSearch {
         note((side > 0) == faces_in ? Side::inside : Side::outside);
     }
 
-    // Notes the sides beside an edge of the solid. Either the triangle has a side along the edge, or the edge passes
-    // through its inside, and then the triangle has a corner on each side of the edge.
+    // Notes on which sides triangle i is beside an edge of the solid. Either its side number `side` lies along the
+    // edge; or the edge passes through the triangle's interior, and then the triangle has a corner on each side of the
+    // edge.
     void look_beside_edge(std::uint32_t i, int side, const SideRef& edge) {
         const MeshEdges& edges = SolidAccess::parts(solid_).edges;
         if (!is_new(i, 2 * std::uint64_t{edges.edge_of(edge)})) return;
@@ -141,15 +145,15 @@ class SurfaceSearch {
         }
     }
 
-    // Takes a triangle that is a segment or a point. A segment's pieces begin at its first end, inside an edge that the
-    // segment crosses, or at a vertex.
+    // Takes triangle i if it is a segment or a point. The boundary divides a segment into pieces; a piece begins at the
+    // segment's first end, at an edge that the segment crosses, or at a vertex. Notes the side of each piece.
     void take_flat(std::uint32_t i, std::uint32_t j) {
         const FlatContact found = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)),
                                              [](auto& signs) { return flat_contact(signs); });
         if (!found.meets) return;
         const bool is_first = memory_.contacts[i] != looked_at;
         mark(i, looked_at);
-        if (found.from == found.to) return;  // a point on the solid's surface
+        if (found.from == found.to) return;  // a point on the boundary
         if (found.crosses) {
             has_inner_ = has_outer_ = true;
             return;
@@ -167,50 +171,26 @@ class SurfaceSearch {
         }
     }
 
-    // Notes the sides of triangles that share no segment with the solid's surface. A triangle that shares no point with
-    // it is on the same side as all such triangles that are joined to it over corners: one ray for each piece.
+    // Notes the sides of triangles that share no segment with the boundary. Triangles that share no point with it and
+    // are joined over corners form a piece, which is on one side of the boundary: one ray decides for each piece.
     void place_triangles() {
         const auto all = surface_.body.mesh->triangles();
-        join_triangles();
+        VertexPieces pieces(*surface_.body.mesh, memory_.parents);
+        for (std::uint32_t i = 0; i < all.size(); ++i) {
+            if (memory_.contacts[i] == none) pieces.join(all[i]);
+        }
+        memory_.placed.assign(surface_.body.mesh->vertices().size(), 0);
         for (std::uint32_t i = 0; i < all.size() && !is_decided(); ++i) {
             const Triangle& corners = all[i];
             const VertexRef p{0, corners[0]};
             if (memory_.contacts[i] == at_points) {
                 note(rays_.side_beside(p, {0, corners[1]}, {0, corners[2]}));
             } else if (memory_.contacts[i] == none) {
-                std::uint8_t& is_placed = memory_.placed[piece_of(corners[0])];
+                std::uint8_t& is_placed = memory_.placed[pieces.piece_of(corners[0])];
                 if (is_placed == 0) note(rays_.side_beside(p, p, p));
                 is_placed = 1;
             }
         }
-    }
-
-    // Joins the vertices of each triangle without a contact, by union-find.
-    void join_triangles() {
-        const Mesh& mesh = *surface_.body.mesh;
-        const std::size_t count = mesh.vertices().size();
-        std::vector<std::uint32_t>& parent = memory_.parents;
-        parent.clear();
-        // If the mesh may be a triangle soup, vertices at equal coordinates count as one vertex.
-        if (count >= 3 * mesh.triangles().size()) parent = least_equals(mesh.vertices());
-        if (parent.empty()) {
-            parent.resize(count);
-            std::iota(parent.begin(), parent.end(), 0u);
-        }
-        memory_.placed.assign(count, 0);
-        for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
-            if (memory_.contacts[i] != none) continue;
-            const Triangle& corners = triangle(i);
-            const std::uint32_t first = piece_of(corners[0]);
-            parent[piece_of(corners[1])] = first;
-            parent[piece_of(corners[2])] = first;
-        }
-    }
-
-    std::uint32_t piece_of(std::uint32_t vertex) {
-        std::vector<std::uint32_t>& parent = memory_.parents;
-        while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
-        return vertex;
     }
 
     const SurfaceAt& surface_;
@@ -232,7 +212,7 @@ Relation surface_relation(const Posed<MeshShape>& surface, const Posed<Solid>& s
     ++state.counts.queries;
     const SurfaceAt of(surface), boundary(solid);
     if (!is_regular(solid.pose.R)) {
-        // The posed solid is the image of its surface, and has no inner point.
+        // The posed solid is then the image of its surface, and has no inner point.
         return surfaces_meet(of, boundary, memory) ? Relation::touching : Relation::apart;
     }
     if (are_boxes_apart(of, boundary, state)) return Relation::apart;

@@ -1,4 +1,4 @@
-// Decides if two posed meshes share a point, leaving out some of their triangles.
+// Decides whether two posed meshes share a point. Some of their triangles may be left out.
 #pragma once
 
 #include "ecods/intersection.hpp"
@@ -14,21 +14,23 @@ namespace ecods {
 struct SurfaceAt {
     exact::BodyRef body;
     const MeshTree& tree;      // tree of body.mesh
-    const ProperMesh* proper;  // the triangles that count; null if all do
+    const ProperMesh* proper;  // says which triangles count; null if all do
 
     explicit SurfaceAt(const Posed<MeshShape>& posed);  // all triangles count
-    explicit SurfaceAt(const Posed<Solid>& posed);      // those that bound the solid count
+    explicit SurfaceAt(const Posed<Solid>& posed);      // only triangles with an area count
 
     bool has(std::uint32_t triangle) const noexcept { return proper == nullptr || proper->is_proper(triangle); }
 };
 
-// True if the trees' boxes are certainly apart. If false, the axes of `state` are bound to both trees.
+// Returns true if the boxes of the two trees are certainly apart. Otherwise the axes of `state` are bound to both
+// trees.
 bool are_boxes_apart(const SurfaceAt& a, const SurfaceAt& b, QueryMemoryAccess::State& state);
 
-// Binds a frame to both bodies. If both have one pose, the frame uses the models' own coordinates.
+// Binds a frame to both bodies. If both have the same pose, the frame uses the coordinates of the meshes, without the
+// pose.
 exact::Frame& bind(exact::Frame& frame, const SurfaceAt& a, const SurfaceAt& b);
 
-// True if the counted triangles share a point, under any poses. The poses must outlive the call.
+// Returns true if triangles that count share a point, under any poses. The poses must outlive the call.
 bool surfaces_meet(const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory);
 
 }  // namespace ecods

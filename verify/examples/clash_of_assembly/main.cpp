@@ -45,7 +45,7 @@ int main(int argc, char** argv) try {
     if (argc < 2) throw std::runtime_error("a file is expected");
     const scenes::Scene scene = scenes::read_file(argv[1]);
     World world;
-    world.set_solids(true);
+    world.set_relations(true);
     std::vector<std::shared_ptr<const Shape>> shapes;
     std::size_t reason_count = 0;
     for (const scenes::NamedMesh& mesh : scene.meshes) shapes.push_back(shape_of(mesh, reason_count));
@@ -55,19 +55,16 @@ int main(int argc, char** argv) try {
     world.update();
     fmt::print("{} parts, {} meshes of which {} bound no solid\n", names.size(), shapes.size(), reason_count);
 
-    fmt::print("Solids that are not apart:\n");
     std::set<BodyId> clashing;
-    for (const SolidPair& pair : world.solid_pairs()) {
-        if (pair.relation == Relation::touching) continue;
+    std::map<Relation, std::size_t> counts;
+    for (const PairRelation& pair : world.relations()) {
+        ++counts[pair.relation];
+        if (pair.relation <= Relation::crossing) continue;
         fmt::print("  {} {} {}\n", names[pair.bodies.a], fmt::streamed(pair.relation), names[pair.bodies.b]);
         clashing.insert({pair.bodies.a, pair.bodies.b});
     }
-
-    std::size_t crossing_count = 0;
-    for (const BodyPair& pair : world.colliding_pairs())
-        crossing_count += world.relation(pair.a, pair.b) == Relation::crossing;
-    fmt::print("{} pairs of surfaces share a point, {} of them cross\n", world.colliding_pairs().size(),
-               crossing_count);
+    fmt::print("{} pairs share a point:\n", world.relations().size());
+    for (const auto& [relation, count] : counts) fmt::print("  {} {}\n", count, fmt::streamed(relation));
     if (argc > 2) draw(world, clashing, argv[2]);
 } catch (const std::exception& error) {
     fmt::print(stderr, "ecods_clash_of_assembly: {}\n", error.what());

@@ -32,12 +32,10 @@ int main() {
         // A body is a shape at a pose: the real points R v + t.
         const ecods::Posed<ecods::ConvexSolid> a(block, {.t = {0, 0, height}}), b(slab, {});
         fmt::print("The block is at {}.\n", height);
-        fmt::print("  surfaces: {}, distance {}\n", fmt::streamed(relation(a, b)), distance(a, b));
-        fmt::print("  solids: {}\n", fmt::streamed(solid_relation(a, b)));
-        if (const auto points = solid_closest(a, b)) {
-            fmt::print("  closest: {}, {} and {}\n", fmt::streamed(points->kind), text(points->point_a),
-                       text(points->point_b));
-        }
+        fmt::print("  {}, distance {}\n", fmt::streamed(relation(a, b)), distance(a, b));
+        const ecods::ClosestPoints points = closest(a, b);
+        fmt::print("  closest: {}, {} and {}\n", fmt::streamed(points.kind), text(points.point_a),
+                   text(points.point_b));
         if (const auto out = depth(a, b))
             fmt::print("  depth {}: the slab would move out along {}\n", out->depth, text(out->direction));
         fmt::print("  pairs of triangles that share a point: {}\n", intersections(a, b).size());

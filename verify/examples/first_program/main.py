@@ -23,11 +23,10 @@ for height in (0.1, 0, -0.3):
     # A body is a shape at a pose: the real points R v + t.
     a, b = block.at(ecods.pose(t=(0, 0, height))), slab
     print(f"The block is at {number(height)}.")
-    print(f"  surfaces: {ecods.relation(a, b)}, distance {number(ecods.distance(a, b))}")
-    print(f"  solids: {ecods.solid_relation(a, b)}")
-    if points := ecods.solid_closest(a, b):
-        kind = str(points.kind).replace("_", " and ")
-        print(f"  closest: {kind}, {text(points.point_a)} and {text(points.point_b)}")
+    print(f"  {ecods.relation(a, b)}, distance {number(ecods.distance(a, b))}")
+    points = ecods.closest(a, b)
+    kind = str(points.kind).replace("_", " and ")
+    print(f"  closest: {kind}, {text(points.point_a)} and {text(points.point_b)}")
     if out := ecods.depth(a, b):
         print(f"  depth {number(out.depth)}: the slab would move out along {text(out.direction)}")
     print(f"  pairs of triangles that share a point: {len(ecods.intersections(a, b))}")

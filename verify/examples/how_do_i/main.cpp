@@ -80,7 +80,7 @@ void inside_a_solid() {
     const auto cube = unit_cube();
     const Location point = locate({0.5, 0.5, 0.5}, {cube, Pose{}});
     const Pose small{.R = Mat3::Identity() / 4, .t = {0.5, 0.5, 0.5}};
-    const Relation solid = solid_relation({cube, small}, {cube, Pose{}});
+    const Relation solid = relation({cube, small}, {cube, Pose{}});
     fmt::print("inside a solid: the point is {}, the solid {}\n", fmt::streamed(point.side), fmt::streamed(solid));
 }
 
@@ -183,7 +183,7 @@ void find_boxes() {
 }
 
 void prove_an_answer() {
-    const auto cube = unit_cube();
+    const auto cube = surface_of(*unit_cube());                                   // proofs are about surfaces
     const Certificate proof = certify({cube, Pose{}}, {cube, {.t = {2, 0, 0}}});  // ecods_check_certificate checks it
     fmt::print("prove an answer: {} step\n", proof.step_count());
 }

@@ -52,8 +52,8 @@ double radius_of(const Posed<Shape>& ball) {
 class BallAndMesh final : public TwoBodyTest {
   public:
     bool intersects(const Posed<Shape>& ball, const Posed<Shape>& mesh, const Ask& ask) const override {
-        const Posed<MeshShape> surface(static_cast<const MeshShape&>(*mesh.what), mesh.pose);
-        return ecods::within(center_of(ball), surface, radius_of(ball), ask);
+        const Posed<MeshShape> body(static_cast<const MeshShape&>(*mesh.what), mesh.pose);
+        return ecods::within(center_of(ball), body, radius_of(ball), ask);
     }
 };
 

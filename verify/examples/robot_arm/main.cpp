@@ -89,15 +89,17 @@ int main(int argc, char** argv) {
             meetings.push_back(meeting);
         }
         cell.world.set_poses(cell.links, poses);
-        // All pairs of convex solids within 0.3, interiors included.
+        // All pairs of convex solids within 0.3.
         const std::vector<SolidDistance> distances = cell.world.solid_distances(0.3);
         for (const SolidDistance& each : distances) {
             fmt::print("step {:2}: {} and {}: {:.6f}\n", step, cell.names[each.bodies.a], cell.names[each.bodies.b],
                        each.distance);
             if (each.distance < nearest.distance) {
                 nearest = each;
-                if (const auto points = cell.world.solid_closest(each.bodies.a, each.bodies.b); points && argc > 1)
-                    stage.add_segment(points->point_a, points->point_b, 0.008, examples::red);
+                if (argc > 1) {
+                    const ClosestPoints points = cell.world.closest(each.bodies.a, each.bodies.b);
+                    stage.add_segment(points.point_a, points.point_b, 0.008, examples::red);
+                }
             }
         }
         const auto paint = examples::glassy(examples::blue, step % 5 == 0 ? 0.0 : 0.9);

@@ -63,7 +63,7 @@ for step in range(STEPS + 1):
         print(f"  on the way to step {step}: {a} meets {b} at {meeting.contact.time:.4f} of it")
         contacts += 1
     world.set_poses(links, poses)
-    # All pairs of convex solids within 0.3, interiors included.
+    # All pairs of convex solids within 0.3.
     for each in world.solid_distances(0.3):
         a, b = (names[body] for body in each.bodies)
         print(f"step {step:2}: {a} and {b}: {each.distance:.6f}")

@@ -15,46 +15,6 @@ std::optional<Verdict> judge_apart(const Part& a, const Part& b, QueryMemory& me
     return Verdict{Kind::touching, "touching"};
 }
 
-std::optional<Verdict> judge_solids(const Part& a, const Part& b, bool can_be_deep, QueryMemory& memory) {
-    if (!can_be_deep) return judge_apart(a, b, memory);
-    switch (solid_relation(solid_of(a), solid_of(b), memory)) {
-        case Relation::apart:
-            return judge_apart(a, b, memory);
-        case Relation::touching:
-            return Verdict{Kind::touching, "touching"};
-        case Relation::overlapping:
-            return Verdict{Kind::overlapping, "overlapping"};
-        case Relation::inside:
-            return Verdict{Kind::inside, "inside"};
-        case Relation::contains:
-            return Verdict{Kind::inside, "contains"};
-        case Relation::equal:
-            return Verdict{Kind::equal, "equal"};
-        case Relation::crossing:  // of surfaces alone
-            break;
-    }
-    return std::nullopt;
-}
-
-// `is_first`: whether the surface is the first of the pair.
-std::optional<Verdict> judge_surface(const Part& surface, const Part& solid, bool is_first, QueryMemory& memory) {
-    switch (surface_relation(surface_of(surface), solid_of(solid), memory)) {
-        case Relation::apart:
-            return judge_apart(surface, solid, memory);
-        case Relation::touching:
-            return Verdict{Kind::touching, "touching"};
-        case Relation::inside:
-            return Verdict{Kind::inside, is_first ? "inside" : "contains"};
-        case Relation::crossing:
-            return Verdict{Kind::crossing, "partly_inside"};
-        case Relation::overlapping:  // of two solids alone, as the rest
-        case Relation::contains:
-        case Relation::equal:
-            break;
-    }
-    return std::nullopt;
-}
-
 using Corners = std::array<std::array<double, 3>, 3>;
 
 std::vector<Corners> sorted_triangles(const Mesh& mesh) {
@@ -83,25 +43,40 @@ bool are_same(const Part& a, const Part& b) {
     return one.triangles().size() == other.triangles().size() && sorted_triangles(one) == sorted_triangles(other);
 }
 
-std::optional<Verdict> judge_surfaces(const Part& a, const Part& b, QueryMemory& memory) {
-    const Relation relation = ecods::relation(surface_of(a), surface_of(b), memory);
-    if (relation == Relation::apart) return std::nullopt;
-    if (are_same(a, b)) return Verdict{Kind::equal, "equal"};
-    if (relation == Relation::crossing) return Verdict{Kind::crossing, "crossing"};
-    return Verdict{Kind::touching, "touching"};
-}
-
 std::optional<Verdict> judge_contact(const Part& a, const Part& b, bool can_be_deep, QueryMemory& memory) {
-    if (a.is_solid && b.is_solid) return judge_solids(a, b, can_be_deep, memory);
-    if (b.is_solid) return judge_surface(a, b, true, memory);
-    if (a.is_solid) return judge_surface(b, a, false, memory);
-    return judge_surfaces(a, b, memory);
+    const bool has_solid = a.is_solid || b.is_solid;
+    if (a.is_solid && b.is_solid && !can_be_deep) return judge_apart(a, b, memory);
+    switch (relation(body_of(a), body_of(b), memory)) {
+        case Relation::apart:
+            return has_solid ? judge_apart(a, b, memory) : std::nullopt;
+        case Relation::touching:
+            if (!has_solid && are_same(a, b)) return Verdict{Kind::equal, "equal"};
+            return Verdict{Kind::touching, "touching"};
+        case Relation::crossing:
+            if (has_solid) return Verdict{Kind::crossing, "partly_inside"};
+            if (are_same(a, b)) return Verdict{Kind::equal, "equal"};
+            return Verdict{Kind::crossing, "crossing"};
+        case Relation::overlapping:
+            return Verdict{Kind::overlapping, "overlapping"};
+        case Relation::inside:
+            return Verdict{Kind::inside, "inside"};
+        case Relation::contains:
+            return Verdict{Kind::inside, "contains"};
+        case Relation::equal:
+            return Verdict{Kind::equal, "equal"};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
-Posed<MeshShape> surface_of(const Part& part) {
+Posed<MeshShape> body_of(const Part& part) {
     return {*part.shape, part.pose};
+}
+
+Posed<MeshShape> surface_of(const Part& part) {
+    if (!part.is_solid) return body_of(part);
+    return {ecods::surface_of(*solid_of(part).what), part.pose};
 }
 
 Posed<Solid> solid_of(const Part& part) {

@@ -27,7 +27,8 @@ struct Verdict {
 std::optional<Verdict> judge_pair(const Part& a, const Part& b, std::optional<double> clearance, QueryMemory& memory,
                                   bool can_be_deep = true);
 
-// The part's shape at its pose, as what it is. A solid's must be one.
+// The part's shape at its pose: as what it is, as its surface with all triangles, and as the solid that it must be.
+Posed<MeshShape> body_of(const Part& part);
 Posed<MeshShape> surface_of(const Part& part);
 Posed<Solid> solid_of(const Part& part);
 

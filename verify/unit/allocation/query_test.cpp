@@ -2,17 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "allocation/each_allocation.hpp"
 #include "allocation/new_thread.hpp"
-#include "base/hash.hpp"
 #include "ecods/cast.hpp"
 #include "ecods/certificate.hpp"
 #include "ecods/distance.hpp"
@@ -22,6 +19,7 @@
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/allocation/answer_digest.hpp"
 
 namespace ecods::allocation::query_test {
 namespace {
@@ -40,82 +38,6 @@ struct Pair {
     PairWitness witness;
     std::uint64_t answer = 0;
 };
-
-// Every bit of answers in one number: text would have allocations of its own, most of those that fail.
-class Digest {
-  public:
-    explicit Digest(std::uint64_t start = 0) : value_(start) {}
-
-    void add(std::uint64_t x) { value_ = combine(value_, x); }
-    void add(std::uint32_t x) { add(std::uint64_t{x}); }
-    void add(bool x) { add(std::uint64_t{x}); }
-    void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
-    template <class Enum>
-    requires std::is_enum_v<Enum>
-    void add(Enum value) { add(static_cast<std::uint64_t>(value)); }
-    void add(const TrianglePair& pair) {
-        add(pair.a);
-        add(pair.b);
-    }
-    void add(const Vec3& v) {
-        for (int k = 0; k < 3; ++k) add(v[k]);
-    }
-    void add(const ClosestPoints& closest) {
-        add(closest.distance);
-        add(closest.a.triangle);
-        add(closest.b.triangle);
-        add(closest.point_a);
-        add(closest.point_b);
-    }
-    void add(const CloseFeatures& close) {
-        add(close.closest);
-        add(close.direction);
-    }
-    void add(const DistanceBounds& bounds) {
-        add(bounds.lower);
-        add(bounds.upper);
-    }
-    void add(const TriangleIntersection& intersection) {
-        for (const Vec3& corner : intersection.shared.corners()) add(corner);
-        add(intersection.shared.normal);
-    }
-    void add(const FirstContact& contact) {
-        add(contact.time);
-        add(contact.a.triangle);
-        add(contact.b.triangle);
-    }
-    void add(const Certificate& certificate) {
-        add(certificate.claim());
-        add(certificate.value());
-        add(certificate.step_count());
-        add(certificate.axis_count());
-    }
-    void add(const Hit& hit) {
-        add(hit.parameter);
-        add(hit.triangle());
-    }
-    template <class Answer>
-    void add(const std::optional<Answer>& answer) {
-        add(answer.has_value());
-        if (answer) add(*answer);
-    }
-    template <class Answer>
-    void add(const std::vector<Answer>& answers) {
-        add(answers.size());
-        for (const Answer& each : answers) add(each);
-    }
-    std::uint64_t value() const { return value_; }
-
-  private:
-    std::uint64_t value_;
-};
-
-template <class Answer>
-std::uint64_t digest(const Answer& answer) {
-    Digest made;
-    made.add(answer);
-    return made.value();
-}
 
 // From before both bodies to beyond them.
 const Segment through{{3, 0.125, 0.25}, {-3, -0.125, -0.25}};
@@ -148,6 +70,17 @@ std::shared_ptr<const Mesh> two_prisms() {
     std::vector<Triangle> triangles;
     for (std::uint32_t i = 0; i < 15; i += 3) triangles.push_back({i, i + 1, i + 2});
     return Mesh::create({corners.begin(), corners.end()}, std::move(triangles));
+}
+
+// A cube about all bodies at distances below 8, from which a segment sticks out that is not in the solid.
+std::shared_ptr<const Mesh> room_with_an_antenna() {
+    const auto cube = scenes::cube(10);
+    std::vector<Vec3> vertices(cube->vertices().begin(), cube->vertices().end());
+    std::vector<Triangle> triangles(cube->triangles().begin(), cube->triangles().end());
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), {Vec3(11, 0, 0), Vec3(12, 0, 0)});
+    triangles.insert(triangles.begin(), {first, first + 1, first});
+    return Mesh::create(std::move(vertices), std::move(triangles));
 }
 
 struct Question {
@@ -203,30 +136,65 @@ const Question questions[] = {
     {"certify_within", [](Pair& p) { p.answer = digest(certify_within(p.first(), p.second(), 0x1p-6, p.memory)); }},
     {"certify_hit", [](Pair& p) { p.answer = digest(certify_hit(through, p.first(), p.memory)); }},
     {"intersections", [](Pair& p) { p.answer = digest(intersections(p.first(), p.second(), p.memory)); }},
-    {"Solid and solid_relation",
+    {"Solid and relation",
      [](Pair& p) {
          const Solid a(p.a->mesh_ptr()), b(p.b->mesh_ptr());
-         p.answer = digest(solid_relation({a, p.pose_a}, {b, p.pose_b}, p.memory));
+         p.answer = digest(relation({a, p.pose_a}, {b, p.pose_b}, p.memory));
      }},
-    {"solid_relation of solids with T-junctions",
+    {"relation of solids with T-junctions",
      [](Pair& p) {
          const Solid a(two_prisms());
-         p.answer = digest(solid_relation({a, p.pose_a}, {a, p.pose_b}, p.memory));
+         p.answer = digest(relation({a, p.pose_a}, {a, p.pose_b}, p.memory));
      }},
     {"convex_hull", [](Pair& p) { p.answer = digest(convex_hull(p.b->mesh().vertices())->digest()); }},
-    {"ConvexSolid and solid_distance",
+    {"ConvexSolid and distance",
      [](Pair& p) {
          const ConvexSolid a(p.a->mesh().vertices()), b(p.b->mesh().vertices());
-         p.answer = digest(solid_distance({a, p.pose_a}, {b, p.pose_b}, {p.memory, p.witness}));
+         p.answer = digest(distance({a, p.pose_a}, {b, p.pose_b}, {p.memory, p.witness}));
      }},
-    {"solid_closest of solids that touch",
+    {"closest of convex solids that touch",
      [](Pair& p) {
          const ConvexSolid a(scenes::cube(0.5));
          Pose above;
          above.t = Vec3(0.5, 0.25, 1);
-         p.answer = digest(solid_closest({a, p.pose_a}, {a, above}, p.memory).has_value());
+         const auto answer = digest(closest({a, p.pose_a}, {a, above}, p.memory));
          above.t[2] = 2;
-         p.answer += digest(*solid_closest({a, p.pose_a}, {a, above}, p.memory));
+         p.answer = answer + digest(closest({a, p.pose_a}, {a, above}, p.memory));
+     }},
+    {"intersects of a surface in a solid",
+     [](Pair& p) {
+         const Solid room(room_with_an_antenna());
+         p.answer = digest(intersects({room, p.pose_a}, p.second(), {p.memory, p.witness}));
+     }},
+    {"distance and within of a surface in a solid",
+     [](Pair& p) {
+         const Solid room(room_with_an_antenna());
+         const auto answer = digest(distance(p.second(), {room, p.pose_a}, {p.memory, p.witness}));
+         p.answer = answer + digest(within(p.second(), {room, p.pose_a}, 0.125, {p.memory, p.witness}));
+     }},
+    {"closest of a surface in a solid",
+     [](Pair& p) {
+         const Solid room(room_with_an_antenna());
+         p.answer = digest(closest(p.second(), {room, p.pose_a}, {p.memory, p.witness}));
+     }},
+    {"cast of a surface in a solid",
+     [](Pair& p) {
+         const Solid room(room_with_an_antenna());
+         const auto answer = digest(cast(p.second(), Vec3(-4, 0, 0), {room, p.pose_a}, 1, {p.memory, p.witness}));
+         const Moving<MeshShape> moving(*p.b, p.pose_b, p.pose_a), still(room, p.pose_a, p.pose_a);
+         p.answer = answer + digest(cast(moving, still, 1, {p.memory, p.witness}));
+     }},
+    {"first_hit and all_hits in a solid",
+     [](Pair& p) {
+         const Solid room(room_with_an_antenna());
+         const Ray out{Vec3(p.pose_b.t), Vec3(1, 0.25, 0.125)};
+         const auto answer = digest(first_hit(out, {room, p.pose_a}, {p.memory, p.witness}));
+         p.answer = answer + digest(all_hits(out, {room, p.pose_a}, p.memory));
+     }},
+    {"surface_of",
+     [](Pair& p) {
+         const Solid room(room_with_an_antenna());
+         p.answer = digest(distance({*surface_of(room), p.pose_a}, p.second(), {p.memory, p.witness}));
      }},
     {"depth of convex solids",
      [](Pair& p) {
@@ -247,10 +215,10 @@ const Question questions[] = {
          const auto bounds = depth_bounds({a, p.pose_a}, {b, p.pose_b}, p.memory);
          p.answer = bounds ? digest(bounds->parted) + digest(bounds->upper) + digest(bounds->lower) : 1;
      }},
-    {"surface_relation",
+    {"relation of a surface to a solid",
      [](Pair& p) {
          const Solid solid(p.b->mesh_ptr());
-         p.answer = digest(surface_relation(p.first(), {solid, p.pose_b}, p.memory));
+         p.answer = digest(relation(p.first(), {solid, p.pose_b}, p.memory));
      }},
     {"locate",
      [](Pair& p) {

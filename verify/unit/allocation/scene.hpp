@@ -51,8 +51,8 @@ class Ball final : public Shape {
 class BoxTest final : public TwoBodyTest {
   public:
     bool answers(Question question) const noexcept override {
-        return question == Question::within || question == Question::distance || question == Question::cast ||
-               question == Question::cast_moving;
+        return question == Question::relation || question == Question::within || question == Question::distance ||
+               question == Question::cast || question == Question::cast_moving;
     }
     // At the start or not at all.
     std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& /*motion*/, const Posed<Shape>& b,
@@ -112,7 +112,7 @@ struct Scene {
             if (stage == Stage::batches && i % 8 == 7) world.update();
         }
         world.set_clearance(0.25);
-        world.set_solids(stage == Stage::running);
+        world.set_relations(stage == Stage::running);
         world.set_filter(ids[3], {.groups = 2, .mask = 3});
         world.set_filter(ids[4], {.groups = 1, .mask = 1});
         for (const int i : {7, 8, 10}) world.set_pair_enabled(ids[9], ids[i], false);
@@ -140,11 +140,11 @@ struct Scene {
         world.set_pair_enabled(ids[1], ids[9], true);
         move(9, -0.7);
         world.set_clearance(0.125);
-        world.set_solids(false);
+        world.set_relations(false);
         world.update();
         world.check_invariants();
         world.set_clearance({});
-        world.set_solids(true);
+        world.set_relations(true);
         world.update();
         world.check_invariants();
     }

@@ -136,17 +136,17 @@ const std::array calls = {
               }},
     WorldCall{"set_clearance", [](Scene& s) { s.world.set_clearance(0.5); }},
     WorldCall{"set_clearance to none", [](Scene& s) { s.world.set_clearance({}); }},
-    WorldCall{"set_solids", [](Scene& s) { s.world.set_solids(false); }},
+    WorldCall{"set_relations", [](Scene& s) { s.world.set_relations(false); }},
     WorldCall{
-        "solid_relation",
+        "relation of solids",
         [](Scene& s) {
-            s.answer = std::to_string(static_cast<int>(s.world.solid_relation(s.ids[0], s.ids[10], s.memory)));
+            s.answer = std::to_string(static_cast<int>(s.world.relation(s.ids[0], s.ids[10], s.memory)));
         }},
-    WorldCall{"solid_distance",
-              [](Scene& s) { s.answer = std::to_string(s.world.solid_distance(s.ids[0], s.ids[10], s.memory)); }},
-    WorldCall{"solid_closest",
+    WorldCall{"distance of convex solids",
+              [](Scene& s) { s.answer = std::to_string(s.world.distance(s.ids[0], s.ids[10], s.memory)); }},
+    WorldCall{"closest of convex solids",
               [](Scene& s) {
-                  s.answer = std::to_string(s.world.solid_closest(s.ids[0], s.ids[10], s.memory)->point_a[0]);
+                  s.answer = std::to_string(s.world.closest(s.ids[0], s.ids[10], s.memory).point_a[0]);
               }},
     WorldCall{"depth",
               [](Scene& s) { s.answer = std::to_string(s.world.depth(s.ids[0], s.ids[10], s.memory)->depth); },

@@ -38,12 +38,12 @@ TEST(ClashShapes, OthersAreSurfacesWithTheirReason) {
     EXPECT_NE(open.not_solid_because.find("triangle"), std::string::npos) << open.not_solid_because;
 }
 
-// Triangles without area are closed, and bound the empty set, which would touch nothing.
+// Triangles without area bound nothing.
 TEST(ClashShapes, WhatHasNoAreaIsASurface) {
     for (const bool may_be_convex : {false, true}) {
         const MadeShape wire = make_shape(tetrahedron({{0, 4, 1}, {2, 3, 3}}), may_be_convex);
         EXPECT_FALSE(is_a<Solid>(wire) || is_a<ConvexSolid>(wire));
-        EXPECT_EQ(wire.not_solid_because, "no triangle has an area");
+        EXPECT_EQ(wire.not_solid_because, "no triangle has an area: there is no interior");
     }
 }
 

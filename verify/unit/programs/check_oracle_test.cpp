@@ -110,5 +110,35 @@ TEST(OracleJudge, NoticesEachKindOfWrongAnswer) {
     EXPECT_EQ(first_difference(lost), "frame 0: all bodies: the overlapping pairs are not those of all pairs of boxes");
 }
 
+// A solid, one within it, and a triangle within both.
+TEST(OracleJudge, NoticesWrongRelationsOfSolids) {
+    const std::vector<Vec3> corners{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}};
+    const Pose half{Mat3::Identity() / 2, Vec3(1, 1, 1)}, quarter{Mat3::Identity() / 4, Vec3(1.5, 1.5, 1.5)};
+    scenes::Scene scene;
+    scene.meshes = {{"corner", Mesh::create(corners, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}})},
+                    {"flat", Mesh::create(corners, {{0, 1, 2}})}};
+    scene.bodies = {{"large", 0, {}}, {"small", 0, half}, {"leaf", 1, quarter}};
+    SceneWorld world(scene, BroadPhaseKind::brute_force, {.has_solids = true});
+    world.next_frame();
+    const FrameAnswer right = world.answer();
+    ASSERT_EQ(right.colliding.size(), 3U);
+    const std::vector<Relation> others{Relation::overlapping, Relation::crossing, Relation::inside};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(right.colliding[i].relation, Relation::contains);
+        FrameAnswer missed = right, wrong = right;
+        missed.colliding.erase(missed.colliding.begin() + static_cast<std::ptrdiff_t>(i));
+        wrong.colliding[i].relation = others[i];
+        OracleJudge same(scene), of_missed(scene), of_wrong(scene);
+        same.check_frame(world, right);
+        of_missed.check_frame(world, missed);
+        of_wrong.check_frame(world, wrong);
+        EXPECT_TRUE(same.report().differences.empty());
+        ASSERT_EQ(of_missed.report().differences.size(), 1U);
+        EXPECT_TRUE(of_missed.report().differences[0].ends_with(": not listed as colliding, but contains"));
+        ASSERT_EQ(of_wrong.report().differences.size(), 1U);
+        EXPECT_TRUE(of_wrong.report().differences[0].ends_with(", but exactly contains"));
+    }
+}
+
 }  // namespace
 }  // namespace ecods::check

@@ -1,5 +1,4 @@
 // ecods_check as its users run it.
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "program_test.hpp"
@@ -56,60 +55,6 @@ TEST_F(Check, PrintsEachFrame) {
     }
 }
 
-// Two solids of one shape, one in the other, and a mesh that bounds none; `more` bodies.
-std::string corners(const std::string& more = {}) {
-    return R"({
-          "meshes": [ { "name": "corner", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]],
-                        "triangles": [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]] },
-                      { "name": "open", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]],
-                        "triangles": [[0, 1, 2], [0, 1, 3], [0, 2, 3]] } ],
-          "bodies": [ { "name": "large", "mesh": "corner" }, { "name": "bowl", "mesh": "open" },
-                      { "name": "small", "mesh": "corner",
-                        "pose": { "R": [[0.25, 0, 0], [0, 0.25, 0], [0, 0, 0.25]], "t": [0.5, 0.5, 0.5] } })" +
-           more + "] }";
-}
-
-TEST_F(Check, SaysWhatIsInsideWhat) {
-    const std::string file = write("scene.json", corners()).string();
-    const Result text = run("--solids " + file);
-    EXPECT_EQ(text.status, 0) << text.err;
-    EXPECT_EQ(text.out,
-              "solid  large\n"
-              "no solid  bowl: triangle 0: its edge from vertex 1 at (4, 0, 0) to vertex 2 at (0, 4, 0) has no other "
-              "half: the mesh is not closed\n"
-              "solid  small\n"
-              "frame 0: 3 bodies, 3 pairs with overlapping boxes, 1 colliding\n"
-              "  touching  large | bowl  (12 triangle pairs)\n"
-              "  contains  large | small  (as solids)\n");
-    const Json json = Json::parse(run("--solids --json " + file).out);
-    EXPECT_EQ(json["solids"].size(), 3U);
-    EXPECT_EQ(json["solids"][1]["is_solid"], false);
-    EXPECT_EQ(json["frames"][0]["solid_pairs"],
-              Json::parse(R"([{"a": "large", "b": "small", "relation": "contains"}])"));
-    EXPECT_EQ(run("--solids --cases " + cases(true, 1)).status, 2);
-}
-
-// The way out of the corner is across one of its three edges at right angles, of which x + y, y + z or x + z is at most
-// 2 in the small one; that is less than to any face. The first of the three edges is named.
-TEST_F(Check, SaysHowDeepAndHowFar) {
-    const std::string far = R"(, { "name": "far", "mesh": "corner",
-                                   "pose": { "R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "t": [8, 0, 0] } })",
-                      file = write("scene.json", corners(far)).string();
-    const Result text = run("--depth " + file);
-    EXPECT_EQ(text.status, 0) << text.err;
-    EXPECT_TRUE(text.out.ends_with("  gap 4  large | far  (as solids)\n  gap 6.5  small | far  (as solids)\n"));
-    const Json frame = Json::parse(run("--depth --solids --json " + file).out)["frames"][0];
-    ASSERT_EQ(frame["depths"].size(), 1U);
-    const Json& depth = frame["depths"][0];
-    EXPECT_EQ(depth["depth"], std::sqrt(2.0));
-    EXPECT_EQ(depth["direction"], (Json{0.0, -std::sqrt(0.5), -std::sqrt(0.5)}));
-    EXPECT_EQ(depth["feature_a"], "edge 0:0");
-    EXPECT_EQ(depth["feature_b"], "edge 2:1");
-    EXPECT_EQ(frame["gaps"].size(), 2U);
-    EXPECT_EQ(frame["solid_pairs"].size(), 1U) << "convex solids are solids";
-    EXPECT_EQ(run("--depth --cases " + cases(true, 1)).status, 2);
-}
-
 TEST_F(Check, SaysWhoMeetsOnTheWay) {
     const Result text = run("--moves --casts --oracle " + scene());
     EXPECT_EQ(text.status, 0) << text.err;
@@ -138,8 +83,8 @@ TEST_F(Check, SaysWhoMeetsOnTheWay) {
     EXPECT_EQ(frame["casts"][0]["time"], 0.53125);
     EXPECT_EQ(Json::parse(json.out)["oracle"]["moves_and_casts"], 9);
     EXPECT_FALSE(Json::parse(run("--json " + scene()).out)["frames"][1].contains("met"));
-    EXPECT_EQ(run("--moves --cases " + cases(true, 1)).status, 2);
-    EXPECT_EQ(run("--casts --cases " + cases(true, 1)).status, 2);
+    for (const std::string option : {"--moves", "--casts", "--solids", "--depth"})
+        EXPECT_EQ(run(option + " --cases " + cases(true, 1)).status, 2) << option;
 }
 
 TEST_F(Check, SaysWhatRaysHit) {

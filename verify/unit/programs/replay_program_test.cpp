@@ -51,7 +51,7 @@ TEST_F(Replay, WhatCannotBeReadIsStatusTwoWithItsLine) {
     EXPECT_EQ(result.status, 2);
     EXPECT_NE(result.err.find("line 53: there is no such body"), std::string::npos) << result.err;
     EXPECT_EQ(result.out, "");
-    const auto shape = run(write("shape.txt", "ecods-trace 1\nworld brute_force 0\nshape 1 3 any\n").string());
+    const auto shape = run(write("shape.txt", "ecods-trace 2\nworld brute_force 0\nshape 1 3 any\n").string());
     EXPECT_EQ(shape.status, 2);
     EXPECT_NE(shape.err.find("line 3: a shape of kind 3"), std::string::npos) << shape.err;
 }
@@ -61,7 +61,7 @@ TEST_F(Replay, OutOfMemorySaysSo) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "a sanitizer takes its own memory";
 #endif
-    const auto file = write("large.txt", "ecods-trace 1\nworld brute_force 0\nnote ");
+    const auto file = write("large.txt", "ecods-trace 2\nworld brute_force 0\nnote ");
     std::filesystem::resize_file(file, std::uintmax_t{1} << 30);
     const auto result = run_program("ulimit -v 262144 && " ECODS_REPLAY_PROGRAM, file.string());
     EXPECT_EQ(result.status, 2);

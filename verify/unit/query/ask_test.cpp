@@ -33,6 +33,8 @@ struct Bodies {
 
     Posed<ConvexSolid> a() const { return {*first, Pose()}; }
     Posed<ConvexSolid> b() const { return {*second, pose}; }
+    Posed<MeshShape> surface_a() const { return {surface_of(*first), Pose()}; }
+    Posed<MeshShape> surface_b() const { return {surface_of(*second), pose}; }
 };
 
 // A number of each answer: those that are equal have equal numbers.
@@ -99,15 +101,15 @@ const std::vector<Named>& questions() {
          [](const Bodies& p, const Ask& ask) {
              return static_cast<double>(locate({0.75, 0, 0}, p.b(), ask).side);
          }},
-        {"solid_relation",
-         [](const Bodies& p, const Ask& ask) { return static_cast<double>(solid_relation(p.a(), p.b(), ask)); }},
-        {"surface_relation",
-         [](const Bodies& p, const Ask& ask) { return static_cast<double>(surface_relation(p.a(), p.b(), ask)); }},
-        {"solid_distance", [](const Bodies& p, const Ask& ask) { return solid_distance(p.a(), p.b(), ask); }},
-        {"solid_closest",
+        {"relation of a surface",
          [](const Bodies& p, const Ask& ask) {
-             const auto points = solid_closest(p.a(), p.b(), ask);
-             return points ? points->point_b[1] : -1;
+             const Posed<MeshShape> surface(*surface_of(*p.first), Pose());
+             return static_cast<double>(relation(surface, p.b(), ask)) + intersects(surface, p.b(), ask);
+         }},
+        {"closest to a surface",
+         [](const Bodies& p, const Ask& ask) {
+             const ClosestPoints points = closest(p.a(), {*surface_of(*p.second), p.pose}, ask);
+             return points.point_b[1] + static_cast<double>(points.kind);
          }},
         {"depth",
          [](const Bodies& p, const Ask& ask) {
@@ -120,14 +122,17 @@ const std::vector<Named>& questions() {
              return bounds ? bounds->lower : -1;
          }},
         {"certify",
-         [](const Bodies& p, const Ask& ask) { return static_cast<double>(certify(p.a(), p.b(), ask).claim()); }},
+         [](const Bodies& p, const Ask& ask) {
+             return static_cast<double>(certify(p.surface_a(), p.surface_b(), ask).claim());
+         }},
         {"certify_distance",
-         [](const Bodies& p, const Ask& ask) { return certify_distance(p.a(), p.b(), ask).value(); }},
+         [](const Bodies& p, const Ask& ask) { return certify_distance(p.surface_a(), p.surface_b(), ask).value(); }},
         {"certify_within",
          [](const Bodies& p, const Ask& ask) {
-             return static_cast<double>(certify_within(p.a(), p.b(), 0.25, ask).claim());
+             return static_cast<double>(certify_within(p.surface_a(), p.surface_b(), 0.25, ask).claim());
          }},
-        {"certify_hit", [](const Bodies& p, const Ask& ask) { return certify_hit(through, p.b(), ask).value(); }},
+        {"certify_hit",
+         [](const Bodies& p, const Ask& ask) { return certify_hit(through, p.surface_b(), ask).value(); }},
     };
     return all;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ecods/error.hpp"
+#include "ecods/intersection.hpp"
 #include "environment/each_environment.hpp"
 #include "scenes/expect_invalid.hpp"
 #include "unit/query/solid_soup.hpp"
@@ -55,8 +56,8 @@ TEST(CheckSolid, ClosedAlongLines) {
     EXPECT_TRUE(self_intersections(*mixed.mesh()).empty());
     const Solid solid(mixed.mesh()), same(box({0, 0, 0}, {1, 1, 1}, 3)), below(box({0, 0, -1}, {1, 1, 0}));
     QueryMemory memory;
-    EXPECT_EQ(solid_relation({solid, {}}, {same, {}}, memory), Relation::equal);
-    EXPECT_EQ(solid_relation({below, {}}, {solid, {}}, memory), Relation::touching);
+    EXPECT_EQ(relation({solid, {}}, {same, {}}, memory), Relation::equal);
+    EXPECT_EQ(relation({below, {}}, {solid, {}}, memory), Relation::touching);
     mixed.triangles.pop_back();
     EXPECT_INVALID(check_solid(*mixed.mesh()), NotSolid::Reason::open_edge);
 }

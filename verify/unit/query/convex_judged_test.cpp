@@ -181,7 +181,7 @@ TEST(ConvexHardCases, KnownNumbers) {
     // fcl#508: unit cubes, 4 apart along y: 3, where FCL said 3.16.
     Pose beside;
     beside.t = Vec3(0, 4, 0);
-    EXPECT_EQ(solid_distance({large, beside}, {large, Pose()}, memory), 3);
+    EXPECT_EQ(distance({large, beside}, {large, Pose()}, memory), 3);
 }
 
 }  // namespace

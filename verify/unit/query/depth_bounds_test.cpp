@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ecods/error.hpp"
+#include "ecods/intersection.hpp"
 #include "ecods/predicates.hpp"
 #include "ecods/solid.hpp"
 #include "environment/float_mode.hpp"
@@ -23,14 +24,14 @@ namespace ecods {
 namespace {
 
 bool shares_inner_points(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
-    const Relation relation = solid_relation(a, b, memory);
+    const Relation relation = ecods::relation(a, b, memory);
     return relation != Relation::apart && relation != Relation::touching;
 }
 
 // What solid.hpp promises, and that no translation shorter than the lower bound parts the solids, of some.
 std::optional<DepthBounds> expect_bounds(const Posed<Solid>& a, const Posed<Solid>& b, scenes::Random& random,
                                          QueryMemory& memory) {
-    const Relation relation = solid_relation(a, b, memory);
+    const Relation relation = ecods::relation(a, b, memory);
     if (relation == Relation::apart) {
         EXPECT_FALSE(depth_bounds(a, b, memory));
         return std::nullopt;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "ecods/error.hpp"
 #include "ecods/intersection.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/query/solid_soup.hpp"
@@ -18,15 +19,15 @@ void expect_relation(const MeshPtr& a, const MeshPtr& b, Relation expected) {
     const Solid x(a), y(b);
     QueryMemory memory;
     for (const Pose& pose : common_poses()) {
-        EXPECT_EQ(solid_relation({x, pose}, {y, pose}, memory), expected);
-        EXPECT_EQ(solid_relation({y, pose}, {x, pose}, memory), swapped(expected));
+        EXPECT_EQ(relation({x, pose}, {y, pose}, memory), expected);
+        EXPECT_EQ(relation({y, pose}, {x, pose}, memory), swapped(expected));
         // Two poses that are equal as maps and not as bits: common poses are not cancelled then.
         Pose other = pose;
         for (int k = 0; k < 9; ++k) {
             if (other.R.data()[k] == 0) other.R.data()[k] = -0.0;
         }
-        EXPECT_EQ(solid_relation({x, pose}, {y, other}, memory), expected);
-        EXPECT_EQ(solid_relation({x, pose}, {x, pose}, memory), Relation::equal);
+        EXPECT_EQ(relation({x, pose}, {y, other}, memory), expected);
+        EXPECT_EQ(relation({x, pose}, {x, pose}, memory), Relation::equal);
     }
 }
 
@@ -118,29 +119,30 @@ TEST(Relation, SingularPosesLeaveNoInterior) {
     point.R.setZero();
     const Pose whole;
     for (Pose pose : {flat, line, point}) {
-        EXPECT_EQ(solid_relation({cube, pose}, {other, whole}, memory), touching);  // inside it
-        EXPECT_EQ(solid_relation({other, whole}, {cube, pose}, memory), touching);
-        EXPECT_EQ(solid_relation({cube, pose}, {other, pose}, memory), touching);
+        EXPECT_EQ(relation({cube, pose}, {other, whole}, memory), touching);  // inside it
+        EXPECT_EQ(relation({other, whole}, {cube, pose}, memory), touching);
+        EXPECT_EQ(relation({cube, pose}, {other, pose}, memory), touching);
         EXPECT_EQ(locate({0, 0, 0}, {cube, pose}, memory).side, Side::on);
         EXPECT_EQ(locate({0, 0, 0.5}, {cube, pose}, memory).side, Side::outside);
         pose.t = Vec3(0, 0, 1);
-        EXPECT_EQ(solid_relation({cube, pose}, {other, whole}, memory), touching);
+        EXPECT_EQ(relation({cube, pose}, {other, whole}, memory), touching);
         pose.t = Vec3(0, 0, std::nextafter(1.0, 2.0));
-        EXPECT_EQ(solid_relation({cube, pose}, {other, whole}, memory), apart);
+        EXPECT_EQ(relation({cube, pose}, {other, whole}, memory), apart);
     }
     EXPECT_EQ(locate({0.5, 0.25, 0}, {cube, flat}, memory).feature.kind, Feature::Kind::edge);
     EXPECT_EQ(locate({0.5, 0, 0}, {cube, line}, memory).feature.kind, Feature::Kind::vertex);
 }
 
-TEST(Relation, TheEmptySolidIsApartFromEverything) {
+TEST(Relation, TheEmptySetIsNoSolid) {
     Soup antenna;
     antenna.add({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
-    const Solid empty(antenna.mesh()), cube(box({-1, -1, -1}, {1, 1, 1}));
-    QueryMemory memory;
-    EXPECT_EQ(solid_relation({empty, {}}, {cube, {}}, memory), apart);
-    EXPECT_EQ(solid_relation({cube, {}}, {empty, {}}, memory), apart);
-    EXPECT_EQ(solid_relation({empty, {}}, {empty, {}}, memory), apart);
-    EXPECT_EQ(locate({1, 1, 1}, {empty, {}}, memory).side, Side::outside);
+    try {
+        const Solid empty(antenna.mesh());
+        ADD_FAILURE() << "a solid without a point";
+    } catch (const NotSolid& error) {
+        EXPECT_EQ(error.reason, NotSolid::Reason::no_interior);
+    }
+    EXPECT_THROW(check_solid(*antenna.mesh()), NotSolid);
 }
 
 TEST(Relation, ZeroAreaTrianglesAreLeftOut) {
@@ -149,8 +151,9 @@ TEST(Relation, ZeroAreaTrianglesAreLeftOut) {
     soup.add({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5});
     const Solid a(soup.mesh()), b(box({1.5, 1.5, 1.5}, {4, 4, 4}));
     QueryMemory memory;
-    EXPECT_TRUE(intersects(Posed<Solid>(a, {}), Posed<Solid>(b, {}), memory));
-    EXPECT_EQ(solid_relation({a, {}}, {b, {}}, memory), apart);
+    EXPECT_FALSE(intersects({a, {}}, {b, {}}, memory));
+    EXPECT_TRUE(intersects({*surface_of(a), {}}, {b, {}}, memory));
+    EXPECT_EQ(relation({a, {}}, {b, {}}, memory), apart);
     EXPECT_EQ(locate({2, 2, 2}, {a, {}}, memory).side, Side::outside);
     EXPECT_EQ(locate({0.5, 0.5, 0.5}, {a, {}}, memory).side, Side::inside);
     Pose flat;
@@ -167,17 +170,17 @@ TEST(Relation, HardPoses) {
     for (const auto& [offset, expected] :
          {std::pair{1.0, touching}, std::pair{1 - ulp / 2, overlapping}, std::pair{1 + ulp, apart}}) {
         pose.t = Vec3(offset, 0, 0);
-        EXPECT_EQ(solid_relation({cube, {}}, {cube, pose}, memory), expected);
+        EXPECT_EQ(relation({cube, {}}, {cube, pose}, memory), expected);
         pose.t = Vec3(0, 0, -offset);
-        EXPECT_EQ(solid_relation({cube, {}}, {cube, pose}, memory), expected);
+        EXPECT_EQ(relation({cube, {}}, {cube, pose}, memory), expected);
     }
     Pose larger;
     larger.R *= 1 + ulp;
-    EXPECT_EQ(solid_relation({cube, {}}, {cube, larger}, memory), inside);
+    EXPECT_EQ(relation({cube, {}}, {cube, larger}, memory), inside);
     larger.t = Vec3(-0x1p-900, 0, 0);
-    EXPECT_EQ(solid_relation({cube, {}}, {cube, larger}, memory), inside);
+    EXPECT_EQ(relation({cube, {}}, {cube, larger}, memory), inside);
     larger.t = Vec3(0x1p-1074, 0, 0);
-    EXPECT_EQ(solid_relation({cube, {}}, {cube, larger}, memory), overlapping);
+    EXPECT_EQ(relation({cube, {}}, {cube, larger}, memory), overlapping);
 }
 
 }  // namespace

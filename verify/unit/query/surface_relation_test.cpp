@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ecods/intersection.hpp"
 #include "ecods/solid.hpp"
 #include "oracle/solid.hpp"
 #include "unit/query/solid_soup.hpp"
@@ -33,12 +34,12 @@ void expect_surface(const Soup& surface, const MeshPtr& mesh, Relation expected)
     const Solid solid(mesh);
     QueryMemory memory;
     for (const Pose& pose : common_poses()) {
-        EXPECT_EQ(surface_relation({shape, pose}, {solid, pose}, memory), expected);
+        EXPECT_EQ(relation({shape, pose}, {solid, pose}, memory), expected);
         Pose other = pose;
         for (int k = 0; k < 9; ++k) {
             if (other.R.data()[k] == 0) other.R.data()[k] = -0.0;
         }
-        EXPECT_EQ(surface_relation({shape, pose}, {solid, other}, memory), expected);
+        EXPECT_EQ(relation({shape, pose}, {solid, other}, memory), expected);
     }
 }
 
@@ -118,17 +119,17 @@ TEST(Relation, SingularPoses) {
     QueryMemory memory;
     Pose flat;
     flat.R(2, 2) = 0;
-    EXPECT_EQ(surface_relation({shape, flat}, {solid, {}}, memory), inside);
-    EXPECT_EQ(surface_relation({shape, {}}, {solid, flat}, memory), touching);
+    EXPECT_EQ(relation({shape, flat}, {solid, {}}, memory), inside);
+    EXPECT_EQ(relation({shape, {}}, {solid, flat}, memory), touching);
     flat.t = Vec3(0, 0, 1);
-    EXPECT_EQ(surface_relation({shape, flat}, {solid, {}}, memory), touching);
-    EXPECT_EQ(surface_relation({shape, {}}, {solid, flat}, memory), touching);
+    EXPECT_EQ(relation({shape, flat}, {solid, {}}, memory), touching);
+    EXPECT_EQ(relation({shape, {}}, {solid, flat}, memory), touching);
     flat.t = Vec3(0, 0, 1 + 0x1p-52);
-    EXPECT_EQ(surface_relation({shape, flat}, {solid, {}}, memory), apart);
-    EXPECT_EQ(surface_relation({shape, {}}, {solid, flat}, memory), apart);
+    EXPECT_EQ(relation({shape, flat}, {solid, {}}, memory), apart);
+    EXPECT_EQ(relation({shape, {}}, {solid, flat}, memory), apart);
     flat.R.setZero();
     flat.t.setZero();
-    EXPECT_EQ(surface_relation({shape, flat}, {solid, {}}, memory), inside);
+    EXPECT_EQ(relation({shape, flat}, {solid, {}}, memory), inside);
 }
 
 // A few triangles on a small lattice, where most contacts are of every kind at once.
@@ -160,7 +161,7 @@ TEST(Relation, SmallSurfacesAsTheOracle) {
             const auto expected =
                 oracle::surface_relation({mesh->vertices(), mesh->triangles(), at},
                                          {meshes[which]->vertices(), meshes[which]->triangles(), pose});
-            ASSERT_EQ(surface_relation({shape, at}, {solid, pose}, memory), expected) << i;
+            ASSERT_EQ(relation({shape, at}, {solid, pose}, memory), expected) << i;
             ++counts[expected];
         }
     }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "ecods/solid.hpp"
 
 namespace ecods::scenes {
@@ -16,7 +17,7 @@ TEST(ConvexWorkloads, AreWhatTheySay) {
         for (const auto& [a, b] : workload.queries) {
             const Solid solid_a(workload.meshes[a.mesh_index].mesh), solid_b(workload.meshes[b.mesh_index].mesh);
             const Posed<Solid> posed_a(solid_a, a.pose), posed_b(solid_b, b.pose);
-            const Relation relation = solid_relation(posed_a, posed_b, memory);
+            const Relation relation = ecods::relation(posed_a, posed_b, memory);
             if (workload.question == ConvexQuestion::distance) {
                 ++distance_count;
                 const double d = distance(posed_a, posed_b, memory);

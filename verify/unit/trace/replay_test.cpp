@@ -15,7 +15,7 @@ namespace ecods::replay_test {
 namespace {
 
 const std::string pose = " 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0\n";
-const std::string head = "ecods-trace 1\nworld sweep_and_prune 0\n";
+const std::string head = "ecods-trace 2\nworld sweep_and_prune 0\n";
 const std::string mesh =
     "mesh 1 3 1\nv 0x0p+0 0x0p+0 0x0p+0\nv 0x1p+0 0x0p+0 0x0p+0\nv 0x0p+0 0x1p+0 0x0p+0\nt 0 1 2\n";
 const std::string two = head + mesh + "create 1.0 1" + pose + "create 2.0 1" + pose;  // 9 lines
@@ -58,7 +58,7 @@ TEST(Replay, AWrongNumberOfPairsOrIdDiffers) {
     const ReplayReport other_id = replay_text(head + mesh + "create 2.0 1" + pose);
     ASSERT_TRUE(other_id.difference);
     EXPECT_EQ(other_id.difference->what, "the new body is 1.0");
-    EXPECT_FALSE(replay_text("ecods-trace 1\nworld brute_force 7\n" + mesh + "create 5.3 1" + pose).difference);
+    EXPECT_FALSE(replay_text("ecods-trace 2\nworld brute_force 7\n" + mesh + "create 5.3 1" + pose).difference);
 }
 
 TEST(Replay, AnUpdateWithoutAResultIsRunAndNotCompared) {
@@ -77,12 +77,13 @@ struct Malformed {
 };
 const std::vector<Malformed> malformed{
     {"", 1, "a trace begins with"},
-    {"ecods-trace 2\nworld sweep_and_prune 0\n", 1, "ecods-trace 1"},
-    {"ecods-trace 1", 2, "'world ...'"},
-    {"ecods-trace 1\nmesh 1 2 3\n", 2, "'mesh' is where a line 'world ...'"},
-    {"ecods-trace 1\nworld sort_and_pray 0\n", 2, "no such broad phase"},
-    {"ecods-trace 1\nworld sweep_and_prune -1\n", 2, "'-1' is no number"},
-    {"ecods-trace 1\nworld sweep_and_prune 0 0\n", 2, "'0' is too much"},
+    {"ecods-trace 3\nworld sweep_and_prune 0\n", 1, "ecods-trace 2"},
+    {"ecods-trace 2\nworld sweep_and_prune 0\nset_solids 1\n", 3, "no such call"},
+    {"ecods-trace 2", 2, "'world ...'"},
+    {"ecods-trace 2\nmesh 1 2 3\n", 2, "'mesh' is where a line 'world ...'"},
+    {"ecods-trace 2\nworld sort_and_pray 0\n", 2, "no such broad phase"},
+    {"ecods-trace 2\nworld sweep_and_prune -1\n", 2, "'-1' is no number"},
+    {"ecods-trace 2\nworld sweep_and_prune 0 0\n", 2, "'0' is too much"},
     {head + "fly 1.0\n", 3, "no such call"},
     {head + "\n", 3, "a call is missing"},
     {head + " update\n", 3, "no such call"},

@@ -122,7 +122,7 @@ TEST(TraceQuestions, OfAWorldThatWasNotEmptyAreAskedAndNotCompared) {
 }
 
 TEST(TraceQuestions, WhatIsNoQuestionIsRefused) {
-    const std::string head = "ecods-trace 1\nworld brute_force 0\n";
+    const std::string head = "ecods-trace 2\nworld brute_force 0\n";
     const auto refused = [&](const std::string& line) {
         EXPECT_THROW(replayed(head + line + "\n"), InvalidTrace) << line;
     };

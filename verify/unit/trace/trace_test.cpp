@@ -49,7 +49,7 @@ TEST(Trace, IsTheTextThatTheHeaderShows) {
     same.update();
     digest << std::hex << same.digest();
     EXPECT_EQ(out.str(),
-              "ecods-trace 1\nworld sweep_and_prune 0\n"
+              "ecods-trace 2\nworld sweep_and_prune 0\n"
               "mesh 1 3 1\nv 0x0p+0 0x0p+0 0x0p+0\nv 0x1p+0 0x0p+0 0x0p+0\nv 0x0p+0 0x1p+0 -0x0p+0\nt 0 1 2\n"
               "create 1.0 1 " +
                   pose("0x0p+0") +
@@ -229,7 +229,7 @@ TEST(Trace, IsReadWithTheLineEndsOfEditors) {
     expect_whole("\xef\xbb\xbf" + out.str());
     // A trace of one kind of line end has no others.
     EXPECT_THROW(replay_text(out.str() + "update\r\n"), InvalidTrace);
-    EXPECT_THROW(replay_text("ecods-trace 1\r\r\n" + text.substr(text.find('\n') + 1)), InvalidTrace);
+    EXPECT_THROW(replay_text("ecods-trace 2\r\r\n" + text.substr(text.find('\n') + 1)), InvalidTrace);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 class WorldAskedTest : public EachWorld {
   protected:
     // Two subjects, in every form in which they can be named; each answer is that of the free question.
-    void expect_answers(const std::vector<Asked>& first, const std::vector<Asked>& second, const Posed<ConvexSolid>& a,
-                        const Posed<ConvexSolid>& b) {
+    void expect_answers(const std::vector<Asked>& first, const std::vector<Asked>& second, const Posed<MeshShape>& a,
+                        const Posed<MeshShape>& b) {
         for (const Asked& x : first) {
             for (const Asked& y : second) {
                 EXPECT_EQ(world.intersects(x, y), intersects(a, b));
@@ -42,6 +42,7 @@ class WorldAskedTest : public EachWorld {
                 EXPECT_EQ(world.distance(x, y), distance(a, b));
                 EXPECT_EQ(world.within(x, y, 0.25, memory), within(a, b, 0.25));
                 EXPECT_EQ(world.closest(x, y).point_a, closest(a, b).point_a);
+                EXPECT_EQ(world.closest(x, y, memory).kind, closest(a, b).kind);
                 EXPECT_EQ(world.close_features(x, y, 0.25, memory).size(), close_features(a, b, 0.25).size());
             }
         }
@@ -60,20 +61,24 @@ TEST_P(WorldAskedTest, APairIsOfAnySubjects) {
     for (const double distance : {0.25, 1.0, 1.75, 2.5}) {
         const Pose pose{random.rotation().toRotationMatrix(), distance * random.direction()};
         world.set_pose(b, pose);
-        const std::vector<Asked> first = {a, {large, at(0)}, {*large, at(0)}, {large->mesh_ptr(), at(0)}};
+        const std::vector<Asked> first = {a, {large, at(0)}, {*large, at(0)}};
         const std::vector<Asked> second = {
-            b, {small, pose}, {Posed<MeshShape>(small, pose)}, {small->mesh_ptr(), pose}, {{small, pose}, meets_none}};
+            b, {small, pose}, {Posed<MeshShape>(small, pose)}, {{small, pose}, meets_none}};
         const Posed<ConvexSolid> posed_a(large, at(0)), posed_b(small, pose);
         expect_answers(first, second, posed_a, posed_b);
-        for (const Asked& x : {first[0], first[1], first[2]}) {
-            for (const Asked& y : {second[0], second[1], second[2], second[4]}) {
-                EXPECT_EQ(world.solid_relation(x, y), solid_relation(posed_a, posed_b));
-                EXPECT_EQ(world.solid_distance(x, y, memory), solid_distance(posed_a, posed_b));
-                EXPECT_EQ(world.solid_closest(x, y).has_value(), solid_closest(posed_a, posed_b).has_value());
+        for (const Asked& x : first) {
+            for (const Asked& y : second) {
                 EXPECT_EQ(world.depth(x, y, memory), depth(posed_a, posed_b));
                 EXPECT_EQ(world.depth_bounds(x, y).has_value(), depth_bounds(posed_a, posed_b).has_value());
             }
         }
+        // A mesh is a surface.
+        const std::vector<Asked> mesh_a = {{large->mesh_ptr(), at(0)}, {surface_of(*large), at(0)}};
+        const std::vector<Asked> mesh_b = {{small->mesh_ptr(), pose}, {surface_of(*small), pose}};
+        const Posed<MeshShape> surface_a(surface_of(*large), at(0)), surface_b(surface_of(*small), pose);
+        expect_answers(mesh_a, mesh_b, surface_a, surface_b);
+        expect_answers(first, mesh_b, posed_a, surface_b);
+        expect_answers(mesh_a, second, surface_a, posed_b);
     }
     EXPECT_TRUE(world.intersects(a, {world.shape(a), world.pose(a)})) << "a body and a copy of it are a pair";
 }
@@ -86,7 +91,7 @@ TEST_P(WorldAskedTest, BadSubjectsAreRefusedOnEitherSide) {
         EXPECT_INVALID(world.distance(a, bad), why);
         EXPECT_INVALID(world.distance(bad, good), why);
         EXPECT_INVALID(world.relation(bad, a, memory), why);
-        EXPECT_INVALID(world.solid_relation(good, bad), why);
+        EXPECT_INVALID(world.relation(good, bad), why);
         EXPECT_INVALID(world.nearest(bad), why);
         EXPECT_INVALID(world.intersecting_bodies(bad), why);
         EXPECT_INVALID(world.cast(bad, Vec3(1, 0, 0)), why);
@@ -103,7 +108,7 @@ TEST_P(WorldAskedTest, BadSubjectsAreRefusedOnEitherSide) {
     const auto slab = std::make_shared<SlabShape>();
     EXPECT_INVALID(world.intersects(a, {slab, at(0)}), Question::intersects);
     EXPECT_INVALID(world.intersects({slab, at(0)}, good), Question::intersects);
-    EXPECT_THROW(static_cast<void>(world.solid_distance(good, {small->mesh_ptr(), at(0)})), NotSupported);
+    EXPECT_THROW(static_cast<void>(world.depth(good, {small->mesh_ptr(), at(0)})), NotSupported);
 }
 
 // Shapes of the caller's own are put in the order of their test's kinds.

@@ -48,7 +48,7 @@ class WorldConvexTest : public EachWorld {
         std::vector<SolidDistance> result;
         for (const BodyPair& pair : all_pairs()) {
             const auto a = convex(pair.a), b = convex(pair.b);
-            const double d = solid_distance({*a, world.pose(pair.a)}, {*b, world.pose(pair.b)}, memory);
+            const double d = distance({*a, world.pose(pair.a)}, {*b, world.pose(pair.b)}, memory);
             if (d <= limit) result.push_back({pair, d});
         }
         return result;
@@ -70,22 +70,28 @@ INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldConvexTest, broad_phases(), broad_pha
 
 TEST_P(WorldConvexTest, QuestionsAboutAPair) {
     const BodyId a = world.create_body(large, at(0)), b = world.create_body(small, at(3, 0.5, 0.25));
-    EXPECT_EQ(world.solid_distance(a, b), 1.75);
-    EXPECT_EQ(world.solid_distance(b, a, memory), 1.75);
-    const auto points = world.solid_closest(a, b), swapped = world.solid_closest(b, a, memory);
-    ASSERT_TRUE(points && swapped);
-    EXPECT_EQ(points->distance, 1.75);
-    EXPECT_EQ(points->point_a[0], 1);
-    EXPECT_EQ(points->point_b[0], 2.75);
-    EXPECT_EQ(swapped->point_a, points->point_b);
-    EXPECT_EQ(swapped->point_b, points->point_a);
-    EXPECT_EQ(swapped->a, points->b);
-    EXPECT_EQ(swapped->b, points->a);
+    EXPECT_EQ(world.distance(a, b), 1.75);
+    EXPECT_EQ(world.distance(b, a, memory), 1.75);
+    const auto points = world.closest(a, b), swapped = world.closest(b, a, memory);
+    EXPECT_EQ(points.distance, 1.75);
+    EXPECT_EQ(points.point_a[0], 1);
+    EXPECT_EQ(points.point_b[0], 2.75);
+    EXPECT_EQ(swapped.point_a, points.point_b);
+    EXPECT_EQ(swapped.point_b, points.point_a);
+    EXPECT_EQ(swapped.a, points.b);
+    EXPECT_EQ(swapped.b, points.a);
     EXPECT_FALSE(world.depth(b, a));
     EXPECT_FALSE(world.depth(a, b, memory));
     world.set_pose(b, at(0.75, 0.5, 0.25));
-    EXPECT_EQ(world.solid_distance(a, b), 0) << "as of now";
-    EXPECT_FALSE(world.solid_closest(a, b));
+    EXPECT_EQ(world.distance(a, b), 0) << "as of now";
+    EXPECT_EQ(world.closest(a, b).kind, ClosestKind::intersecting);
+    world.set_pose(b, at(0.5, 0.25, 0));
+    EXPECT_EQ(world.closest(a, b).kind, ClosestKind::contained);
+    EXPECT_EQ(world.closest(a, b).a, no_feature);
+    EXPECT_EQ(world.closest(b, a).b, no_feature);
+    EXPECT_EQ(world.closest(a, b).b, world.closest(b, a).a);
+    EXPECT_EQ(world.closest(a, b).b, (Feature{Feature::Kind::vertex, 0, 0}));
+    world.set_pose(b, at(0.75, 0.5, 0.25));
     const Depth depth = world.depth(a, b).value(), back = world.depth(b, a, memory).value();
     EXPECT_EQ(depth.depth, 0.5);
     EXPECT_EQ(depth.direction, Vec3(1, 0, 0));
@@ -108,7 +114,7 @@ TEST_P(WorldConvexTest, BoundsOfTheDepthOfSolids) {
         EXPECT_GE(bounds.upper, 0.5);
         const Pose before = world.pose(moved);
         world.set_pose(moved, {before.R, bounds.parted});
-        EXPECT_NE(world.solid_relation(a, b), Relation::overlapping);
+        EXPECT_NE(world.relation(a, b), Relation::overlapping);
         EXPECT_LE((bounds.parted - before.t).norm(), bounds.upper);
         world.set_pose(moved, before);
     }
@@ -138,12 +144,12 @@ TEST_P(WorldConvexTest, BodiesThatAreNoConvexSolids) {
     const BodyId solid = world.create_body(std::make_shared<const Solid>(scenes::cube(1)), at(0));
     const BodyId surface = world.create_body(scenes::cube(1), at(0));
     for (const BodyId other : {solid, surface}) {
-        EXPECT_THROW(static_cast<void>(world.solid_distance(convex, other)), NotSupported);
-        EXPECT_THROW(static_cast<void>(world.solid_closest(other, convex)), NotSupported);
+        EXPECT_EQ(world.distance(convex, other), 0);
+        EXPECT_EQ(world.closest(other, convex).kind, ClosestKind::intersecting);
         EXPECT_THROW(static_cast<void>(world.depth(other, convex)), NotSupported);
     }
     EXPECT_THROW(static_cast<void>(world.depth(convex, convex)), SameBody);
-    EXPECT_THROW(static_cast<void>(world.solid_distance(convex, BodyId{})), StaleBody);
+    EXPECT_THROW(static_cast<void>(world.distance(convex, BodyId{})), StaleBody);
     EXPECT_TRUE(world.depths().empty());
     EXPECT_TRUE(world.solid_distances(infinity).empty());
     world.set_shape(solid, large);
@@ -164,8 +170,8 @@ TEST_P(WorldConvexTest, SingularPosesAreNamed) {
             EXPECT_EQ(error.body, b);
         }
     };
-    require_named([&] { std::ignore = world.solid_distance(a, b); });
-    require_named([&] { std::ignore = world.solid_closest(b, a); });
+    EXPECT_EQ(world.distance(a, b), 98.5) << "of a flat image";
+    EXPECT_EQ(world.closest(b, a).distance, 98.5);
     require_named([&] { std::ignore = world.depth(a, b); });
     require_named([&] { std::ignore = world.depths(); });  // however far
     require_named([&] { std::ignore = world.solid_distances(1); });

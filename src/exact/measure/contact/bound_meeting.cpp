@@ -13,25 +13,26 @@ namespace ecods::exact {
 namespace {
 
 using Double4 = Vec<double, 4>;
-using Four = std::array<Double4, 3>;  // vectors, one in each lane
+using Four = std::array<Double4, 3>;  // three coordinates of four vectors, one vector in each lane
 
-// Limits the steps, each of which shortens or parts an interval. More are only needed if both triangles graze each
-// other.
+// The largest numbers of steps, each of which shortens or splits an interval. More steps are needed only if both
+// triangles graze each other.
 constexpr int step_max = 96;
 constexpr int coarse_step_max = 3;
-// Limits how far an interval is parted. The distance of a chord's zero from the meeting shrinks as the square of the
-// interval's length. So the first half of an interval is searched; if the triangles may meet in it, its first quarter,
-// then its first sixteenth (as in quadratic interval refinement: Abbott, Quadratic interval refinement for real roots,
-// 2014).
+// Limits how far an interval is split: the part that is searched next has at least 2^-32 of its length. The distance of
+// a chord's zero from the meeting shrinks as the square of the interval's length. So the first half of an interval is
+// searched; if the triangles may meet in it, its first quarter, then its first sixteenth (as in quadratic interval
+// refinement: Abbott, Quadratic interval refinement for real roots, 2014).
 constexpr int halvings_max = 32;
-// Limits the length, relative to the end, of intervals that are parted: a few times the distance of doubles.
+// An interval is not split if its length, relative to its end, is at most this: a few times the distance of
+// neighbouring doubles.
 constexpr double length_min = 0x1p-44;
 
 ECODS_ALWAYS_INLINE Four four(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {
     return {Double4{a[0], b[0], c[0], d[0]}, Double4{a[1], b[1], c[1], d[1]}, Double4{a[2], b[2], c[2], d[2]}};
 }
 
-// Holds the ends of both triangles' projections on four vectors at once.
+// Holds the least and the largest dot products of each triangle's corners with four vectors, one vector in each lane.
 struct Ends {
     Double4 low_a, high_a, low_b, high_b;
 
@@ -46,12 +47,15 @@ struct Ends {
     }
 };
 
-// The remaining part of an interval, as parts of its length: nothing if first > last.
+// A part of an interval, from `first` to `last` times the interval's length; empty if first > last.
 struct Part {
     double first = 0, last = 1;
 };
 
-// Keeps the part between the zeros of the gaps' chords, from the gaps along four vectors at both ends of the interval.
+// Shortens `part` to the times at which all four gaps may be at most zero: it ends at the zeros of the gaps' chords.
+// `gap_from` and `gap_to` are the gaps along four vectors at the beginning and the end of the interval.
+// Claim: verify/proofs/moving_points.py
+// Claim: verify/proofs/motion_chords.md
 ECODS_ALWAYS_INLINE void shorten(Part& part, Double4 gap_from, Double4 gap_to) noexcept {
     const Double4 zero{}, one = zero + 1, two = zero + 2;
     const auto apart_before = gap_from > zero, apart_after = gap_to > zero;
@@ -64,8 +68,8 @@ ECODS_ALWAYS_INLINE void shorten(Part& part, Double4 gap_from, Double4 gap_to) n
     }
 }
 
-// Returns an upper bound of a sum as computed, no part of which was rounded by more than an ULP or lost 2^-1022 to
-// underflow.
+// Returns an upper bound of the exact sum, from the sum as computed. No term may be rounded by more than an ULP, or
+// lose more than 2^-1022 to underflow.
 ECODS_ALWAYS_INLINE double above(double sum) noexcept {
     return next_up(next_up(sum + 0x1p-1000));
 }
@@ -76,9 +80,9 @@ class Bounds {
 
     ECODS_ALWAYS_INLINE std::optional<TimeSpan> first(double from, double to, int step_count) const noexcept {
         if (!corners_.is_bounded()) return TimeSpan{from, to};
-        std::array<double, step_max> later;  // ends of the intervals that follow, the next one last
+        std::array<double, step_max> later;  // ends of the intervals to be searched later; the next one is last
         std::size_t later_count = 0;
-        double end = to;  // of the interval that is being shortened
+        double end = to;  // end of the interval that is being shortened
         int halvings = 1;
         Corners at_from(corners_, from), at_to(corners_, to);
         for (int step = 0; step < step_count; ++step) {
@@ -109,7 +113,7 @@ class Bounds {
     }
 
   private:
-    // Holds corners at a time, with their error bounds.
+    // Holds the corners at one time, and the factors of their error bound on each axis.
     struct Corners {
         Points<6> points;
         Point error;
@@ -130,7 +134,8 @@ class Bounds {
         shorten(part, (before.low_a - before.high_b) - bound_before, (after.low_a - after.high_b) - bound_after);
     }
 
-    // Scales points up if products of their differences could underflow: if the bodies grow much larger on their way.
+    // Returns the points, scaled up if products of their differences could underflow. This happens if the bodies grow
+    // by a large factor on their way.
     ECODS_ALWAYS_INLINE static Points<6> without_small(const Points<6>& points) noexcept {
         constexpr double small = 0x1p-64;
         double size = 0;
@@ -144,7 +149,8 @@ class Bounds {
         return result;
     }
 
-    // Shortens by the normals of the faces and the cross products of edges, as they are at the beginning.
+    // Returns the part of the interval in which the triangles may share a point. It is shortened by the normals of the
+    // faces and the cross products of edges, as they are at the beginning of the interval.
     ECODS_ALWAYS_INLINE static Part remaining(const Corners& from, const Corners& to) noexcept {
         const Points<6> p = without_small(from.points);
         const auto [a, b] = edges_of(p);

@@ -1,31 +1,32 @@
-// ContactTimes finds in integers when two triangles share a point. The first triangle is translated by s times a vector
-// m, where s is the time.
+// ContactTimes computes in integers the first time s at which two triangles share a point, if the first triangle is
+// translated by s m for a vector m.
 //
-// Triangles A + s m and B share a point exactly if s m is in the Minkowski difference D = B - A. D is convex and
-// closed, so these s are a closed interval [s0, s1], or none. Let m not be zero; then the interval is bounded.
+// Triangles A + s m and B share a point if and only if s m is in the Minkowski difference D = B - A. D is convex and
+// closed, so these s form a closed interval [s0, s1], or none do. m is not zero, so the interval is bounded.
 //
-// Features that hold the ends. At s0 the triangles share a convex set; let x be a corner of it. x is in the relative
-// interior of a feature of each triangle, and the two features have no other point in common (shared_corners.hpp): one
-// is a vertex, or they are two edges that cross, or an edge that goes through a face. The two features did not share a
-// point just before s0. This excludes an edge through a face. The remaining pairs share a point only at s0, since
-// features that move within one plane or line and share a point in both relative interiors do so just before, too. At
-// s1 all of this holds just after. So the ends are times of such pairs, with w = y - x for their first corners, and u,
-// v edges or n a normal:
+// Features that determine the ends. At s0 the triangles share a convex set; let x be a corner of it. x is in the
+// relative interior of one feature of each triangle, and these two features have no other common point
+// (shared_corners.hpp): one feature is a vertex, or both are edges that cross, or an edge goes through a face. The two
+// features shared no point just before s0. This excludes an edge through a face. Each remaining pair shares a point
+// only at s0, since features that move within one plane or line and share a point in both relative interiors do so just
+// before, too. At s1 the same holds with "after" for "before". So s0 and s1 are times of such pairs. With w = y - x for
+// the first corners of the two features, u and v edges and n a normal, the times are:
 //     vertex and face  n.m != 0, s = n.w / n.m          edges  n = u x v, n.m != 0, s = n.w / n.m
 //     vertex and edge  m x u != 0, s (m x u) = w x u    vertices  w x m = 0, s m = w
-// and every time at which such a pair shares a point, borders of features included, is in the interval. Hence s0 and s1
-// are the least and the greatest of these times.
+// Conversely, every time at which such a pair shares a point, borders of features included, is in the interval. Hence
+// s0 and s1 are the least and the greatest of these times.
 //
-// Features that must be tested. `sides` holds the signs of all determinants of m, an edge, and the difference of one of
-// its ends and a corner of the other triangle: on which side of the edge the corner is, seen along m. Let all of them
-// be zero. Then faces are parallel to m, and so are planes through two edges. Vertices and edges hold the ends; if all
-// edges are parallel to m, vertices do. Otherwise faces and pairs of edges hold them. For if D has an interior, an end
-// of the interval is on a facet of D whose plane is not parallel to m, since otherwise the line would go on in D. A
-// facet is the difference of the features of B and A that are extreme along its normal. It is covered by differences of
-// a vertex and a face, and of two edges: each of its points is a corner of what two features in one plane share (as
-// above). If D is in a plane that is not parallel to m, that plane takes the place of the facet: a vertex of A in a
-// segment B is the end of two edges of A of which one is not parallel to B. If D is in a plane or line parallel to m
-// and not all determinants are zero, 0 + s m is not in it, and no pair shares a point.
+// Features that must be tested. `sides_` holds the signs of all determinants of m, an edge, and the difference of a
+// corner of the other triangle and an end of that edge: seen along m, on which side of the edge the corner is. If all
+// of them are zero, faces are parallel to m, and so are planes through two edges. Then vertices and edges determine the
+// ends; if all edges are parallel to m, vertices do. If not all of them are zero, faces and pairs of edges determine
+// the ends. For if D has an interior, an end of the interval is on a facet of D whose plane is not parallel to m, since
+// otherwise the line would go on in D. A facet is the difference of the features of B and A that are extreme along its
+// normal. It is covered by differences of a vertex and a face, and of two edges: each of its points is a corner of the
+// intersection of two features in one plane (as above). If D is in a plane that is not parallel to m, that plane takes
+// the place of the facet: a vertex of A in a segment B is the end of two edges of A, and at least one of these is not
+// parallel to B. If D is in a plane or line parallel to m and not all determinants are zero, 0 + s m is not in D for
+// any s, and no pair shares a point.
 //
 // Widths are derived as in exact_features.hpp. With differences below 2^k, determinants, n.w and n.m are below
 // 2^(3k + 3), and the product of two below 2^(6k + 6).
@@ -44,7 +45,8 @@
 
 namespace ecods::exact {
 
-// Holds the corners of the first triangle, which moves, then the corners of the second; and m, which is not zero.
+// points: the three corners of the first triangle, which moves, and then the corners of the second. m: the motion, not
+// zero.
 template <int L>
 struct TranslatedPair {
     std::array<std::array<Limbs<L>, 3>, 6> points;
@@ -74,7 +76,7 @@ class ContactTimes {
         }
     }
 
-    // Returns the first time from 0 to 1 at which the triangles share a point, or nothing.
+    // Returns the first time from 0 to 1 at which the triangles share a point; nullopt if there is none.
     std::optional<Time> first() const noexcept {
         Time least{}, greatest{};
         bool is_known = false;
@@ -91,21 +93,21 @@ class ContactTimes {
         return is_by_one(least) ? std::optional(least) : std::nullopt;
     }
 
-    // True if a time >= 0 is at most 1.
+    // True if time <= 1. The time must be >= 0.
     static bool is_by_one(const Time& time) noexcept { return compare(time.size(), 1.0) <= 0; }
 
-    // Returns the first pair of features, in the order of feature_pairs, whose relative interiors share a point at the
-    // first time, which must not be 0.
+    // Returns the first pair of features, in the order of feature_pairs, whose relative interiors share a point at time
+    // `first`. `first` is the result of first(), and not 0.
     FeaturePair first_features(const Time& first) const noexcept {
         for (const FeaturePair& f : feature_pairs) {
             Time t{};
             if (meeting(f, t) == Standing::inside && compare(t, first) == 0) return f;
         }
-        ECODS_ASSERT(false);  // The proof above.
+        ECODS_ASSERT(false);  // excluded by the proof above
         return {};
     }
 
-    // Returns the time of a vertex and a face, or of two edges, which must share a point at exactly one time.
+    // Returns the time at which a vertex and a face, or two edges, share a point. There must be exactly one such time.
     static Time time_of(const FeaturePair& f, const TranslatedPair<L>& pair) noexcept {
         const ExactFeatures<L> features(pair.points);
         Time time{};
@@ -114,8 +116,9 @@ class ContactTimes {
         return time;
     }
 
-    // Decides if the features share a point at exactly one time: `inside` both, or on the `border` of one; otherwise
-    // `none`. Sets the time unless the answer is `none`.
+    // Decides if there is exactly one time at which the features share a point, and sets `time` to it. Returns `inside`
+    // if the point is in both relative interiors, `border` if it is on the border of a feature. Otherwise returns
+    // `none`, and `time` has no meaning.
     Standing meeting(const FeaturePair& f, Time& time) const noexcept {
         switch (f.kind) {
             case FeatureKind::vertex_vertex:
@@ -144,7 +147,7 @@ class ContactTimes {
         time = {widened<3 * L>(num), widened<3 * L>(den)};
     }
 
-    // Sets the time n.w / n.m; sets nothing and returns false if the denominator is zero.
+    // Sets `time` to n.w / n.m and returns true; sets nothing and returns false if n.m is zero.
     static bool set_height(const ExactFeatures<L>& features, const Vector& m, const FeaturePair& f,
                            Time& time) noexcept {
         const LimbVector<2 * L> n = features.normal(f);
@@ -155,8 +158,8 @@ class ContactTimes {
     }
     bool set_height(const FeaturePair& f, Time& time) const noexcept { return set_height(features_, m_, f, time); }
 
-    // Decides a vertex and a face. The vertex, seen along m, is in the face if it is on one side of all edges: the sum
-    // of the three determinants is n.m.
+    // Does the work of meeting() for a vertex and a face. Seen along m, the vertex is in the face if it is on the same
+    // side of all three edges: the sum of the three determinants is n.m.
     Standing of_vertex_and_face(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t face = 1 - f.vertex_side, vertex = f.corner(f.vertex_side);
         int positive = 0, negative = 0;
@@ -168,7 +171,8 @@ class ContactTimes {
         return positive + negative == 3 ? Standing::inside : Standing::border;
     }
 
-    // Decides two edges. Seen along m, they share a point if the ends of neither are strictly on one side of the other.
+    // Does the work of meeting() for two edges. Seen along m, they share a point if neither has both ends strictly on
+    // one side of the other.
     Standing of_edges(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t i = f.a, j = f.b, i2 = (i + 1) % 3, j2 = (j + 1) % 3;
         const int b = sides_[0][i][j] * sides_[0][i][j2], a = sides_[1][j][i] * sides_[1][j][i2];
@@ -176,8 +180,9 @@ class ContactTimes {
         return a < 0 && b < 0 ? Standing::inside : Standing::border;
     }
 
-    // Decides a vertex and an edge in a plane with m: w = s m - t v for a vertex of A and the point t v of an edge of
-    // B, or w = s m + t u for a vertex of B and the point t u of an edge of A. Then w x m = t (m x v), or -t (m x u).
+    // Does the work of meeting() for a vertex and an edge in a plane that is parallel to m. For a vertex of A and the
+    // point t v of an edge of B, w = s m - t v, so w x m = t (m x v). For a vertex of B and the point t u of an edge of
+    // A, w = s m + t u, so w x m = -t (m x u).
     Standing of_vertex_and_edge(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t edge_of = 1 - f.vertex_side;
         const std::size_t edge = f.corner(edge_of), vertex = f.corner(f.vertex_side);
@@ -210,8 +215,8 @@ class ContactTimes {
 
     ExactFeatures<L> features_;
     Vector m_;
-    // By triangle, its edge, and corner of the other triangle: the sign of the determinant of m, the edge and the
-    // corner less the edge's beginning.
+    // sides_[t][e][c] is the sign of the determinant of m, edge e of triangle t, and the difference of corner c of the
+    // other triangle and the beginning of that edge.
     std::int8_t sides_[2][3][3];
     bool all_sides_are_zero_ = true, all_edges_are_parallel_ = true;
 };

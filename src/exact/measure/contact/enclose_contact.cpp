@@ -1,19 +1,21 @@
-// Derivation. w, a1, a2, b1 and b2, ScaledVectors, E and the bounds of polynomials are defined in triangle_vectors.hpp;
-// the motion m is one more vector, each coordinate off by less than one of its units.
+// Derivation. w, a1, a2, b1, b2, ScaledVectors, E, and the bounds of polynomials are defined in triangle_vectors.hpp.
+// The motion m is one more ScaledVector, each coordinate off by less than one of its units.
 //
-// Lower bound. For ANY vector n, of doubles taken as they are, every point of the second triangle less every point of
-// the first has at least the dot product G = n.w + min(0, n.b1, n.b2) - max(0, n.a1, n.a2) with n. If they share a
-// point at time s, one of these differences is s m. So
-//     s n.m >= G:    with G > 0, s >= G / n.m,  and there is no s > 0 if n.m <= 0.
-// No error of n matters. G is bounded as in triangle_vectors.hpp, by r3 - 4 u' r1; n.m, in units of m, by the product
-// as computed and E, since m has an eta of 1. The quotient has three more roundings.
+// Lower bound. Let n be ANY vector whose coordinates are doubles. For every point p of the first triangle and q of the
+// second, n.(q - p) is at least G = n.w + min(0, n.b1, n.b2) - max(0, n.a1, n.a2). If the triangles share a point at
+// time s, one of these differences q - p is s m. So
+//     s n.m >= G:    if G > 0, s >= G / n.m, and if also n.m <= 0 there is no such s > 0.
+// n itself is taken as it is, so its errors do not matter. G is bounded as in triangle_vectors.hpp, by r3 - 4 u' r1.
+// n.m, in units of m, is at most the computed product plus E, since m has an eta of 1. The quotient has three more
+// roundings.
 //
 // Upper bound. If the signs of the feet are certain, the features share a point at the time n.w / n.m for the true n.
 // The computed n is not the true one: for a sliver its error is larger than n. So the determinants det(u, v, w) and
 // det(u, v, m), where det(x, y, m) = (x x y).m, have the error bound of signs, not E. The features share a point if
-// their feet along m are inside: p + s m = q + s1 u + s2 v for a vertex and a face from q, p + s1 u + s m = q + s2 v
-// for edges. If n.m > 0 and the other corners are strictly on their sides of the planes of the features perpendicular
-// to n, no other point is shared at that time, and none before.
+// their feet along m are inside: p + s m = q + s1 u + s2 v for a vertex p and a face from q, p + s1 u + s m = q + s2 v
+// for edges. If n.m > 0 and the other corners are strictly on their own triangles' sides of the planes through the
+// features perpendicular to n, the triangles share no other point at that time, and none before.
+// Claim: verify/proofs/contact_ends.py
 #include "exact/measure/contact/enclose_contact.hpp"
 
 #include <algorithm>
@@ -33,7 +35,7 @@ class ContactEnds {
     ContactEnds(const IntegerPair& pair, const ScaledVector& m, const FeaturePair& f) noexcept
         : x_(pair, f), m_(m), bound_(x_.bound_of_three()), exponent_(x_.w.shift + pair.unit - m.shift) {
         if (f.kind == FeatureKind::vertex_edge) {
-            // n is the normal of the plane of an edge and the motion: perpendicular to the motion but for rounding.
+            // n is the normal of the plane of the edge and the motion: perpendicular to the motion up to rounding.
             n_ = cross(m_.x, x_.other[f.vertex_side][0].x);
             if (dot(n_, x_.w.x) < 0) n_ = negated(n_);
         } else {
@@ -46,7 +48,7 @@ class ContactEnds {
     Enclosure result() const noexcept;
 
   private:
-    // Takes a vertex and a face, or two edges.
+    // Sets n_, is_inside_ and is_outside_ for a vertex and a face, or for two edges.
     void at_plane(const FeaturePair& f) noexcept {
         n_ = x_.normal(f);
         is_inside_ = x_.feet(f, n_, m_.x, bound_).are_inside;
@@ -56,9 +58,9 @@ class ContactEnds {
 
     TriangleVectors x_;
     ScaledVector m_;
-    Point n_{0, 0, 0};  // towards the second triangle; along the motion if the guess is a meeting
+    Point n_{0, 0, 0};  // points towards the second triangle; along the motion if the guess is a meeting
     double bound_;
-    int exponent_;  // of times in units of w over units of m_
+    int exponent_;  // times in units of w over units of m_ are multiplied by 2^exponent_
     bool is_inside_ = false, is_outside_ = false;
 };
 

@@ -28,8 +28,7 @@ class MeetingSearch {
     }
 
   private:
-    // Returns the pairs of features in question all of whose corners belong to `four`: a corner and a triangle, or two
-    // edges.
+    // Returns those of features_ all of whose corners belong to `four`: a corner and a triangle, or two edges.
     FeatureSet part_of(const FeaturePair& four) const noexcept {
         const CornerPairs pairs = corner_pairs(four);
         FeatureSet result = 0;
@@ -42,7 +41,7 @@ class MeetingSearch {
         return static_cast<std::size_t>(std::countr_zero(features));
     }
 
-    // Returns the first features of a set that share a point at a time, or null.
+    // Returns the first pair of features of the set that shares a point at the time; null if no pair does.
     const FeaturePair* first_shared(FeatureSet features, Root& time) {
         TrianglesAtRoot then(triangles_, time);
         for (; features != 0; features &= features - 1) {
@@ -82,7 +81,8 @@ class MeetingSearch {
         return roots ? std::move(*roots) : std::vector<Root>();
     }
 
-    // Keeps the first root at which one of the features is shared, if it is before the first time so far.
+    // Sets first_ to the first root of p at which one of the pairs in `part` shares a point, if that root is before
+    // first_.
     void try_roots(const Polynomial& p, FeatureSet part) {
         for (Root& time : roots_of(p)) {
             if (first_ && compare(time, *first_) >= 0) return;
@@ -94,7 +94,7 @@ class MeetingSearch {
 
     MovingTriangles& triangles_;
     FeatureSet features_;
-    const TimeCells* cells_;  // null: all of the time
+    const TimeCells* cells_;  // null: all times in [0, 1]
     bool is_known_ = true;
     std::optional<Root> first_;
 };
@@ -109,7 +109,7 @@ PartialAnswer first_meeting_in(MovingTriangles& triangles, const TimeCells& cell
     return MeetingSearch(triangles, features, &cells).run();
 }
 
-// Powers of two that are normal numbers, and integers below 2^53, make all of this exact.
+// Computes without rounding: the unit is a power of two that is a normal number, and the integers are below 2^53.
 TimeSpan TimeCells::span() const noexcept {
     const double unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - bits) << 52);
     return {static_cast<double>(m) * unit, static_cast<double>(m + count) * unit};
@@ -117,8 +117,8 @@ TimeSpan TimeCells::span() const noexcept {
 
 std::optional<TimeCells> cells_around(const TimeSpan& time) noexcept {
     constexpr int bits_min = 21, bits_max = 900, relative = 44;
-    // The unit is at least the length, and at least 2^-44 of the power of two in time.to, so that m has at most 45
-    // bits.
+    // 2^unit is at least the length of `time`, and at least 2^-44 of the power of two in time.to, so that m has at most
+    // 45 bits.
     const auto exponent = [](double x) { return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023; };
     const int unit = std::max(exponent(time.to - time.from) + 1, exponent(time.to) - relative);
     const int bits = -unit;

@@ -1,6 +1,6 @@
-// Projected along the motion, triangles that will share a point overlap. The first time then belongs to a corner of the
-// overlap: a vertex in the other's face, or two edges that cross (contact_times.hpp). Otherwise an edge of one
-// separates the projections.
+// The guess looks at the triangles' projections along the motion. If the projections overlap, the first time belongs to
+// a corner of the overlap: a vertex of one triangle in the other's face, or two edges that cross (contact_times.hpp).
+// If they do not overlap, an edge of one triangle separates them.
 #include "exact/measure/contact/guess_contact.hpp"
 
 #include <algorithm>
@@ -23,8 +23,8 @@ class Guess {
                 const Point c = cross(m, edge_[side][i]);
                 square_[side][i] = dot(c, c);
                 for (Index j = 0; j < 3; ++j) over_[side][i][j] = dot(c, minus(at(1 - side, j), at(side, i)));
-                // own_ is the determinant for the triangle's own third corner. It is also the sum of over_ over the
-                // three edges, for any corner of the other triangle.
+                // own_ is the determinant for the triangle's own third corner. For each corner of the other triangle it
+                // equals the sum of over_ over the three edges.
                 own_[side][i] = dot(c, minus(at(side, next_corner(next_corner(i))), at(side, i)));
             }
         }
@@ -46,7 +46,7 @@ class Guess {
   private:
     const Point& at(Index side, Index i) const noexcept { return x_[3 * side + i]; }
 
-    // Finds the edge that leaves the widest gap.
+    // Sets best_ to the edge with the widest gap between the projections; returns false if no edge separates them.
     ECODS_ALWAYS_INLINE bool find_gap() noexcept {
         double widest = 0;
         for (Index side = 0; side < 2; ++side) {
@@ -67,7 +67,7 @@ class Guess {
         return widest > 0;
     }
 
-    // Tries corner j of the other triangle against the face of `side`.
+    // Takes the time of corner j of the other triangle and the face of `side`, if the corner is over the face.
     ECODS_ALWAYS_INLINE void try_face(Index side, Index j) noexcept {
         const double s0 = over_[side][0][j], s1 = over_[side][1][j], s2 = over_[side][2][j];
         const bool is_inside = (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
@@ -100,8 +100,8 @@ class Guess {
     const Points<6>& x_;
     const Point& m_;
     TriangleEdges edge_;
-    double over_[2][3][3];  // by side, edge, and corner of the other: the determinant with m
-    double own_[2][3];      // by side and edge: the determinant for the third corner
+    double over_[2][3][3];  // [side][edge][corner of the other]: determinant of m, edge and corner
+    double own_[2][3];      // [side][edge]: the same for the triangle's third corner
     double square_[2][3];
     double least_ = infinity, greatest_ = -infinity;
     FeaturePair first_, last_;

@@ -1,5 +1,4 @@
-// guess_contact guesses the features that decide when two triangles first share a point. The first triangle is
-// translated.
+// guess_contact guesses which features first share a point if the first of two triangles is translated.
 #pragma once
 
 #include "exact/measure/distance/feature_pair.hpp"
@@ -10,8 +9,8 @@ namespace ecods::exact {
 
 struct ContactGuess {
     enum class What : std::uint8_t {
-        meeting,  // they first share a point on `features`
-        leaving,  // they share their last point on `features`, before time 0
+        meeting,  // the triangles first share a point on `features`
+        leaving,  // the triangles share their last point on `features`, before time 0
         passing,  // seen along the motion, an edge of the triangle vertex_side separates them: `features` holds the
                   // corner where that edge begins, and the nearest corner of the other triangle
     };
@@ -20,7 +19,7 @@ struct ContactGuess {
     FeaturePair features;
 };
 
-// Guesses in plain doubles; `m` is the motion of the first triangle.
+// Guesses in doubles, without error bounds. `m` is the motion of the first triangle.
 ContactGuess guess_contact(const IntegerPair& pair, const ScaledVector& m) noexcept;
 
 }  // namespace ecods::exact

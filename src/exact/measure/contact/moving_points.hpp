@@ -1,18 +1,21 @@
-// MovingCorners are the corners of two triangles on their way, in doubles with an error bound.
+// MovingCorners computes the corners of two moving triangles at any time in [0, 1], in doubles with an error bound.
 //
-// Bound. A corner at time s is computed as P (1 - s) + Q s from its rounded places P and Q, which are off by e0 and e1.
-// So the corner is off by e(s) = e0 (1 - s) + e1 s, and by 3.01 u' M(s) for three factors (1 + e), |e| <= u' = 2^-52,
-// on either product, where M(s) = M0 (1 - s) + M1 s of the largest magnitudes on the axis at both ends. Subtracting the
-// reference point first adds u' M0 and u' M1 to the errors of the places; e0 and e1 include them. A dot product with a
-// vector n meets three more factors on either term: 3.01 u' |n| M(s). The difference of two such projections has the
-// bound twice, and u' times 2 |n| M(s). Together this is 2 e(s) + 14.1 u' M(s) on each axis, times |n|; 2.25 e(s) + 20
-// u' M(s) cover the bound's own rounding, too, and its interpolation between both ends. Subtracting the bound adds u'
-// of a number that is at most twice |n| M(s): covered, too.
+// Bound. A corner at time s is computed as P (1 - s) + Q s from its rounded positions P and Q at times 0 and 1, which
+// are off by e0 and e1. So the corner is off by e(s) = e0 (1 - s) + e1 s, plus 3.01 u' M(s) for the roundings: each
+// product has three factors (1 + e), |e| <= u' = 2^-52. Here M(s) = M0 (1 - s) + M1 s, where M0 and M1 are the largest
+// magnitudes on the axis at times 0 and 1. Before that, the reference point is subtracted, which adds u' M0 and u' M1
+// to the errors of the positions; e0 and e1 include these. A dot product with a vector n has three more factors on each
+// term: 3.01 u' |n| M(s). The difference of two such projections has twice this bound, and one more rounding, u' times
+// 2 |n| M(s). Together this is 2 e(s) + 14.1 u' M(s) on each axis, times |n|. The bound 2.25 e(s) + 20 u' M(s) also
+// covers its own rounding, and its interpolation between both ends. Subtracting the bound adds u' times a number that
+// is at most 2 |n| M(s): covered, too.
 //
-// Underflow. All numbers are scaled by a power of two, to magnitudes below 2. That is exact except for results below
-// 2^-1022; numbers below 2^-1022 before scaling are less than 2^-22 of e0 and e1, which are 2^-1000 or more. Vectors n
-// are products of three differences at most: below 2^8. An operation that underflows, or a time that is taken for zero,
-// loses 2^-1022 times such factors: a hundred of them are below 2^-1000, and 2^-990 is added to the bound.
+// Underflow. All numbers are scaled by a power of two, to magnitudes below 2. The scaling is exact except for results
+// below 2^-1022. Numbers below 2^-1022 before scaling are less than 2^-22 of e0 and e1, which are 2^-1000 or more.
+// Vectors n are products of three differences at most: below 2^8. An operation that underflows, or a time that is taken
+// for zero, loses 2^-1022 times such factors. A hundred such losses are below 2^-1000, and 2^-990 is added to the
+// bound.
+// Claim: verify/proofs/moving_points.py
 #pragma once
 
 #include <algorithm>
@@ -28,18 +31,18 @@
 
 namespace ecods::exact {
 
-// Holds the rounded corners of both triangles at the times 0 and 1, and the bounds of their errors on any axis.
+// Holds the rounded corners of both triangles at times 0 and 1, and upper bounds of their errors on any axis.
 struct MovingPoints {
     Points<6> start, end;
     double start_error, end_error;
 };
 
-// The times from `from` to `to`, both in [0, 1].
+// The interval of time [from, to], inside [0, 1].
 struct TimeSpan {
     double from, to;
 };
 
-// Holds moving corners relative to one of them, which the others are near to.
+// Computes moving corners relative to the first corner at time 0, which the others are near.
 class MovingCorners {
   public:
     static constexpr double underflow = 0x1p-990;
@@ -71,7 +74,7 @@ class MovingCorners {
         }
     }
 
-    // True if numbers are small enough for the error bound to hold.
+    // True if all numbers are small enough for the error bound to hold.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return is_bounded_; }
 
     ECODS_ALWAYS_INLINE Points<6> at(double s) const noexcept {
@@ -83,19 +86,19 @@ class MovingCorners {
         return result;
     }
 
-    // Returns factors e_k at a time: |n_0| e_0 + |n_1| e_1 + |n_2| e_2 + `underflow` bounds the error of a difference
-    // of two projections on n.
+    // Returns factors e_k at time s: |n_0| e_0 + |n_1| e_1 + |n_2| e_2 + `underflow` is an upper bound of the error of
+    // the difference of two projections on n.
     ECODS_ALWAYS_INLINE Point error_at(double s) const noexcept {
         const double rest = 1 - s;
         return {start_error_[0] * rest + end_error_[0] * s, start_error_[1] * rest + end_error_[1] * s,
                 start_error_[2] * rest + end_error_[2] * s};
     }
-    // Returns factors e_k of that bound that hold at all times.
+    // Returns factors e_k, as in error_at(), that hold at all times.
     ECODS_ALWAYS_INLINE Point error() const noexcept {
         return {std::max(start_error_[0], end_error_[0]), std::max(start_error_[1], end_error_[1]),
                 std::max(start_error_[2], end_error_[2])};
     }
-    // Returns the largest distance that a corner travels on each axis, as computed.
+    // Returns, for each axis, the largest distance that any corner travels along it, as computed.
     ECODS_ALWAYS_INLINE Point way() const noexcept {
         Point result{};
         for (std::size_t i = 0; i < 6; ++i) {
@@ -104,7 +107,7 @@ class MovingCorners {
         return result;
     }
 
-    // Returns a power of two p for x < 2^1001 with 1 <= p x < 2, or p x < 1 if x is below 2^-1000.
+    // Returns a power of two p with 1 <= p x < 2. If x is below 2^-1000, p x < 1. x must be in [0, 2^1001).
     ECODS_ALWAYS_INLINE static double inverse_power(double x) noexcept {
         const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) >> 52);  // x >= 0
         const std::int64_t clamped = std::clamp<std::int64_t>(exponent, 23, 2023);

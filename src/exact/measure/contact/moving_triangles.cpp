@@ -62,7 +62,7 @@ int TrianglesAtRoot::edge_volume(std::size_t edge_a, std::size_t edge_b) {
     return sign_of(volumes_[6 + 3 * edge_a + edge_b], [&] { return triangles_.edge_volume(edge_a, edge_b); });
 }
 
-// True if a corner is on the line of an edge and, on some axis, strictly between its ends.
+// True if a corner is in an edge without its ends: on the edge's line and, on some axis, strictly between the ends.
 bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (turn(which, axis) != 0) return false;
@@ -76,8 +76,9 @@ bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
     return false;
 }
 
-// True if a corner is in the face's plane and, seen along some axis, strictly on one side of all its edges. The three
-// turns add up to the normal: if they have one sign, the face has an area when seen along that axis.
+// True if a corner is in a face without its edges: in the face's plane and, seen along some axis, strictly on the same
+// side of all three edges. The three turns add up to the face's normal, so if they have the same sign, the face has an
+// area when seen along that axis.
 bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int sign = turn({side, corner, 0}, axis);
@@ -88,9 +89,9 @@ bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
     return false;
 }
 
-// True if two edges are in one plane and, seen along some axis, each has its ends strictly on the two sides of the
-// other. The two turns of one edge differ by the cross product of both edges: if they have opposite signs, the edges
-// are not parallel, and the view along that axis keeps points of the plane apart.
+// True if two edges cross: they are in one plane and, seen along some axis, the ends of each edge are strictly on
+// different sides of the other. The two turns of an edge's ends differ by the cross product of both edges. So if they
+// have opposite signs, the edges are not parallel, and the projection along that axis is one to one on their plane.
 bool TrianglesAtRoot::edges_cross(std::size_t edge_a, std::size_t edge_b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (turn({0, edge_a, edge_b}, axis) * turn({0, next_corner(edge_a), edge_b}, axis) < 0 &&

@@ -1,5 +1,5 @@
-// MovingTriangles describe how two triangles lie whose corners move on straight lines, from places at time 0 to places
-// at time 1, by polynomials in time.
+// MovingTriangles computes the relative position of two moving triangles, as polynomials in time. Each corner moves on
+// a straight line from its position at time 0 to its position at time 1.
 #pragma once
 
 #include <array>
@@ -13,9 +13,10 @@
 
 namespace ecods::exact {
 
-// Names a corner of one triangle and the edge of the other that begins at corner `edge`. The first triangle is side 0.
+// Names corner `corner` of triangle `side`, and the edge of the other triangle that begins at corner `edge`. The first
+// triangle is side 0.
 struct CornerAndEdge {
-    std::size_t side;  // side of the corner
+    std::size_t side;  // triangle of the corner
     std::size_t corner;
     std::size_t edge;
 };
@@ -24,7 +25,7 @@ class MovingTriangles {
   public:
     using Vector = std::array<Polynomial, 3>;
 
-    // Takes the corners of both triangles at time 0, then the corners at time 1.
+    // Takes the corners of both triangles at time 0, and then the same corners at time 1.
     template <class Kernel>
     explicit MovingTriangles(const IntegerPoints<Kernel, 12>& points) {
         for (std::size_t i = 0; i < 6; ++i) {
@@ -35,12 +36,13 @@ class MovingTriangles {
         }
     }
 
-    // Returns corner i of the first triangle less corner j of the second.
+    // Returns coordinate `axis` of corner i of the first triangle minus corner j of the second.
     Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const;
-    // Returns (q - p) x (c - p) for the edge from p to q and the corner c: zero if c is on the line of the edge.
+    // Returns (q - p) x (c - p) for the edge from p to q and the corner c. It is zero if and only if c is on the line
+    // of the edge, or p = q.
     const Vector& turn(const CornerAndEdge& which);
-    // Return six times the volume of a corner and the other triangle, and of an edge of each: zero if they are in one
-    // plane.
+    // Return six times the signed volume of four corners: a corner and the other triangle, or an edge of each triangle.
+    // It is zero if and only if the four corners are in one plane.
     Polynomial corner_volume(std::size_t side, std::size_t corner);
     Polynomial edge_volume(std::size_t edge_a, std::size_t edge_b) const;
 
@@ -52,7 +54,7 @@ class MovingTriangles {
     std::array<std::optional<Vector>, 18> turns_;
 };
 
-// Answers how two moving triangles lie at one time.
+// Evaluates the relative position of two moving triangles at one time.
 class TrianglesAtRoot {
   public:
     TrianglesAtRoot(MovingTriangles& triangles, Root& time) noexcept : triangles_(triangles), time_(time) {
@@ -61,14 +63,15 @@ class TrianglesAtRoot {
         volumes_.fill(unknown);
     }
 
-    // True if the features share a point. A feature is a corner, an edge without its ends or a face without its edges;
-    // two edges share one only if they cross and are not parallel.
+    // True if the two features share a point at this time. A feature is a corner, an edge without its ends or a face
+    // without its edges. Two edges share a point only if they cross and are not parallel.
     bool share_point(const FeaturePair& features);
 
   private:
     static constexpr std::int8_t unknown = 2;
 
-    // Returns the sign of a polynomial at the time; makes and evaluates the polynomial once.
+    // Returns the sign of the polynomial make() at this time. `known` caches the sign, so each polynomial is made and
+    // evaluated only once.
     template <class Make>
     int sign_of(std::int8_t& known, const Make& make);
     int order(std::size_t i, std::size_t j, std::size_t axis);

@@ -17,7 +17,8 @@ class Sieve {
         edges_ = edges_of(p_);
     }
 
-    // Tries cheap vectors first; mostly one pair is left after them.
+    // Returns the pairs of features that may share a point. Tries cheap vectors first; after these, usually one pair is
+    // left.
     FeatureSet run() noexcept {
         if (!corners_.is_bounded()) return all_features;
         for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) look_along(axis);
@@ -37,7 +38,7 @@ class Sieve {
     }
 
   private:
-    // Drops the features that this vector certainly separates.
+    // Removes from left_ the pairs of features that vector n certainly separates.
     void look_along(const Point& n) noexcept {
         const auto on = [&](std::size_t i) { return (n[0] * p_[i][0] + n[1] * p_[i][1]) + n[2] * p_[i][2]; };
         const double bound = ((std::abs(n[0]) * error_[0] + std::abs(n[1]) * error_[1]) + std::abs(n[2]) * error_[2]) +
@@ -58,7 +59,8 @@ class Sieve {
         }
     }
 
-    // Tries vectors along each edge, across it in the plane of both edges, and across it towards a corner of the other.
+    // Tries more vectors for edge i of the first and edge j of the second triangle: along each edge, perpendicular to
+    // it in the plane of both, and perpendicular to it towards the other's first corner.
     void look_past_edges(std::size_t i, std::size_t j) noexcept {
         const Point between = minus(p_[3 + j], p_[i]), across = cross(edges_[0][i], edges_[1][j]);
         for (const Point& edge : {edges_[0][i], edges_[1][j]}) {

@@ -1,12 +1,14 @@
-// possible_features says in doubles, in any rounding mode, which features of two moving triangles may share a point in
-// a short time.
+// possible_features computes, in doubles and in any rounding mode, which features of two moving triangles may share a
+// point in a short interval of time.
 //
-// In a time of length w around s each corner is within w V of its place at s, where V is the length of its way. So
-// features are apart all that time if, for some vector n, the gap of their corners at s exceeds twice the bound of a
-// projection and 2 w |n| V. The bound is derived in moving_points.hpp; 2.25 w V is added to it, with V the largest way
-// on an axis as computed. V is off by u' V and by twice the error of the places, which for w <= 2^-20 is below 2^-18 of
-// an error that counts 2.25 times in place of 2; the difference of the times and the products are off by some u' of
-// themselves. The excess over 2 covers all of this. Vectors are products of at most three differences of corners.
+// During an interval of length w that contains time s, each corner is within w V of its position at s, where V is the
+// length of its way from time 0 to 1. So two features are apart during the interval if there is a vector n along which
+// the gap of their corners at s exceeds twice the error bound of a projection plus 2 w |n| V. The error bound is
+// derived in moving_points.hpp. 2.25 w V is added to it, with V the largest way on an axis as computed. V is off by u'
+// V and by twice the error of the positions, which for w <= 2^-20 is below 2^-18 of an error that counts 2.25 times in
+// place of 2. The difference of the times and the products are off by some u' of themselves. The excess over 2 covers
+// all of this. Vectors are products of at most three differences of corners.
+// Claim: verify/proofs/lines_and_times.py
 #pragma once
 
 #include <array>
@@ -17,15 +19,15 @@
 
 namespace ecods::exact {
 
-// Has one bit for each of feature_pairs.
+// A set of pairs of features: bit i stands for feature_pairs[i].
 using FeatureSet = std::uint64_t;
 inline constexpr FeatureSet all_features = (FeatureSet{1} << feature_pairs.size()) - 1;
 inline constexpr double short_time = 0x1p-20;
 
-// Holds pairs of corners, one of each triangle: bit 3 a + b.
+// A set of pairs of corners: bit 3 a + b stands for corner a of the first triangle and corner b of the second.
 using CornerPairs = std::uint32_t;
 
-// Returns the pairs of corners that two features have.
+// Returns all pairs of a corner of the first feature and a corner of the second.
 constexpr CornerPairs corner_pairs(const FeaturePair& f) noexcept {
     CornerPairs result = 0;
     for (std::size_t i = 0; i < f.corner_count(0); ++i) {
@@ -35,14 +37,15 @@ constexpr CornerPairs corner_pairs(const FeaturePair& f) noexcept {
     return result;
 }
 
-// Lists the corner pairs of each of feature_pairs.
+// corners_of_features[i] is corner_pairs(feature_pairs[i]).
 inline constexpr std::array<CornerPairs, feature_pairs.size()> corners_of_features = [] {
     std::array<CornerPairs, feature_pairs.size()> result{};
     for (std::size_t k = 0; k < feature_pairs.size(); ++k) result[k] = corner_pairs(feature_pairs[k]);
     return result;
 }();
 
-// Returns a set with all pairs whose closed features share a point in the time. `time` is at most short_time long.
+// Returns a set that contains all pairs of closed features that share a point during `time`. `time` must be at most
+// short_time long.
 FeatureSet possible_features(const MovingPoints& points, const TimeSpan& time) noexcept;
 
 }  // namespace ecods::exact

@@ -1,8 +1,8 @@
-// find_closest_points computes the points of two features that are closest to each other, in integers.
+// find_closest_points computes in integers the two points of two features that are closest to each other.
 //
-// All points are relative to the first corner of the first triangle, and integer points are, too. A point at a part
-// num / den of an edge u from p on is (den p + num u) / den. With differences below 2^k, den is below 2^(4k + 4), and a
-// point of a triangle less another is below 2^k: coordinates times den are below 2^(5k + 4), and have a sign.
+// All points are relative to the first corner of the first triangle. The point p + (num / den) u of an edge u that
+// begins at p is (den p + num u) / den. With differences below 2^k, den is below 2^(4k + 4), and the difference of two
+// points of triangles is below 2^k. So coordinates times den are below 2^(5k + 4), and have a sign.
 #pragma once
 
 #include <array>
@@ -33,14 +33,14 @@ struct WeightedPoint {
     }
 };
 
-// Holds a vector times a weight.
+// The product of a weight and a vector.
 template <int L>
 struct Weighted {
     const Magnitude<4 * L>& weight;
     const LimbVector<L>& vector;
 };
 
-// Returns (den p + s u) / den, or with two terms (den p + s u + t v) / den.
+// Returns p + (s u) / den, or with two terms p + (s u + t v) / den. Each term is a Weighted.
 template <int L, class... Terms>
 WeightedPoint<L> weighted_point(const Magnitude<4 * L>& den, const LimbVector<L>& p, const Terms&... terms) noexcept {
     WeightedPoint<L> point;
@@ -58,7 +58,8 @@ WeightedPoint<L> corner_point(const LimbVector<L>& p) noexcept {
     return weighted_point<L>(Magnitude<4 * L>{{1}, 0}, p);
 }
 
-// Sets the closest points of both triangles, in units of 2^unit. The features must hold closest points.
+// Sets points[0] and points[1] to the closest points of the first and the second triangle, in units of 2^unit. The
+// features f must contain closest points.
 template <int L>
 void find_closest_points(const ExactFeatures<L>& features, const FeaturePair& f, int unit,
                          std::array<ExactPoint, 2>& points) noexcept {
@@ -88,7 +89,7 @@ void find_closest_points(const ExactFeatures<L>& features, const FeaturePair& f,
     }
 }
 
-// Each number of limbs is compiled once, in closest_points.cpp.
+// Instances for all numbers of limbs are compiled in closest_points.cpp.
 extern template void find_closest_points(const ExactFeatures<1>&, const FeaturePair&, int,
                                          std::array<ExactPoint, 2>&) noexcept;
 extern template void find_closest_points(const ExactFeatures<2>&, const FeaturePair&, int,

@@ -1,14 +1,16 @@
-// Derivation. w, a1, a2, b1 and b2, ScaledVectors, E and the bounds of polynomials are defined in triangle_vectors.hpp,
-// for corners p and q that are both on the guessed features.
+// Derivation. w, a1, a2, b1, b2, ScaledVectors, E, and the bounds of polynomials are defined in triangle_vectors.hpp.
+// The corners p and q there are corners of the guessed features.
 //
-// Lower bound: the gap along a vector n over its length, which is at most sqrt(n.n) (1 + 4 u'). A term of n.n meets at
-// most three factors 1 + e, all terms are positive, and the root has one more.
+// Lower bound: the gap along a vector n, divided by the length of n. The length is at most sqrt(n.n) (1 + 4 u'): each
+// term of n.n has at most three factors 1 + e, all terms are positive, and the root has one more.
 //
-// Upper bound: the distance of two feasible points. Weights c >= 0 of a1 and a2, of sum at most 1, and of b1 and b2,
-// make points of the triangles, whose difference is z = w + cb1 b1 + cb2 b2 - ca1 a1 - ca2 a2. In w's power of two the
-// weights are c 2^(shift - shift of w). A term meets one rounding as a product and at most four in sums, so a
+// Upper bound: the distance of two points of the triangles. Weights c >= 0 of a1 and a2, of sum at most 1, and of b1
+// and b2, give points of the triangles, whose difference is z = w + cb1 b1 + cb2 b2 - ca1 a1 - ca2 a2. In w's power of
+// two the weights are c 2^(shift - shift of w). A term has one rounding as a product and at most four in sums, so a
 // coordinate of z is off by at most ((1 + u')^5 - 1) X + eta <= 10.01 + eta times 1 + (the sum of these weights), and
-// |z| by sqrt(3) times as much. Weights that are not the best ones only make the interval wider.
+// |z| by sqrt(3) times as much. Weights that are not optimal only make the interval wider.
+// Claim: verify/proofs/enclosure.g
+// Claim: verify/proofs/distance_ends.py
 #include "exact/measure/distance/enclose_distance.hpp"
 
 #include <algorithm>
@@ -24,7 +26,7 @@ namespace {
 
 constexpr double root_of_3 = 1.7320509;
 
-// Computes the two ends of the interval, from features and the vectors between them.
+// Computes both bounds for one pair of features, from the vectors between and along these.
 class DistanceEnds {
   public:
     DistanceEnds(const IntegerPair& pair, const FeaturePair& f) noexcept : x_(pair, f) {
@@ -47,13 +49,14 @@ class DistanceEnds {
                       x_.is_outward(n_, 1, 0, bound) && x_.is_outward(n_, 1, 1, bound);
     }
 
-    // Takes the corner p or q of `side`, and the edge from the other's corner to the next one.
+    // Sets weight_, n_ and is_certain_ for the first vertex (p or q) of triangle `side`, and the edge of the other
+    // triangle that begins at its first corner.
     void at_vertex_and_edge(std::size_t side) noexcept {
         const std::size_t of = 1 - side;
         const Point& u = x_.other[of][0].x;
         const double uu = dot(u, u);
         if (!(uu > 0)) return;
-        // The foot is the point t u of the edge, in w's power of two; `along` is its dot product with u.
+        // The foot of the vertex on the edge is t u, in w's power of two; `along` is t uu.
         const double along = of == 1 ? -dot(x_.w.x, u) : dot(x_.w.x, u);
         const double f = x_.factor[of][0];
         const double t = std::min(std::max(along / uu, 0.0), f);
@@ -63,12 +66,12 @@ class DistanceEnds {
         is_certain_ = (along > inside) && (uu * f - along > inside * (1 + f) * 2) &&
                       x_.is_outward(n_, side, 0, outward) && x_.is_outward(n_, side, 1, outward) &&
                       x_.is_outward(n_, of, 1, outward);
-        // Makes n perpendicular to the edge once more: near contact the rest of w is mostly error.
+        // Makes n perpendicular to the edge once more, because near contact most of n along the edge is rounding error.
         const double rest = dot(n_, u) / uu;
         for (std::size_t k = 0; k < 3; ++k) n_[k] -= rest * u[k];
     }
 
-    // Takes a vertex and a face, or two edges.
+    // Sets weight_, n_ and is_certain_ for a vertex and a face, or for two edges.
     void at_plane(const FeaturePair& pair) noexcept {
         n_ = x_.normal(pair);
         const TriangleVectors::Feet feet = x_.feet(pair, n_, n_, x_.bound_of_four());
@@ -81,7 +84,7 @@ class DistanceEnds {
             const double f = x_.factor[of][0], g = x_.factor[of][1];
             const double x = std::min(std::max(feet.s / feet.den, 0.0), f);
             weight_[of][0] = x;
-            // Keeps the sum of both weights at most 1: the factor covers two roundings.
+            // Limits the second weight such that the sum of both weights is at most 1; 1 - 4 u' covers two roundings.
             weight_[of][1] = std::min(std::max(feet.t / feet.den, 0.0), (1 - x / f) * (1 - 4 * two_u) * g);
         }
         if (dot(n_, x_.w.x) < 0) n_ = negated(n_);

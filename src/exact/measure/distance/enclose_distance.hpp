@@ -1,4 +1,4 @@
-// enclose_distance bounds the distance of two triangles from below and above, from one guessed pair of features.
+// enclose_distance computes lower and upper bounds of the distance of two triangles, from one guessed pair of features.
 #pragma once
 
 #include <limits>
@@ -8,17 +8,17 @@
 
 namespace ecods::exact {
 
-// Holds a lower and an upper bound of a distance, or of a time.
+// Holds a lower and an upper bound of a distance, or of a time of contact.
 struct Enclosure {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
-    // True if the features certainly hold the only points that are closest, or shared first, each in its relative
-    // interior.
+    // True if it is certain that the guessed features contain the only two closest points (or the only point that is
+    // shared first), and in their relative interiors.
     bool is_certain = false;
 };
 
-// Returns an interval that contains the distance whatever the features are, and is narrow if they are the closest.
-// Holds in any rounding mode, with or without flush-to-zero or fused multiply-add.
+// Returns an interval that contains the distance, even if the guess is wrong. The interval is narrow if `features` are
+// the closest ones. Holds in any rounding mode, with or without flush-to-zero or fused multiply-add.
 Enclosure enclose_distance(const IntegerPair& pair, const FeaturePair& features) noexcept;
 
 }  // namespace ecods::exact

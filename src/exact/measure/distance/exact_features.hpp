@@ -1,18 +1,20 @@
-// ExactFeatures decides in integers if two features of two triangles hold closest points, and how far apart they are.
+// ExactFeatures decides in integers if two features of two triangles contain closest points, and computes their
+// distance.
 //
-// Points x of the first triangle and y of the second, n = y - x not zero, are closest if and only if no corner of the
-// first triangle is beyond x along n, and no corner of the second before y: the dot product with n is a linear
-// function, and a triangle is the convex hull of its corners. So a pair of features is decided by a handful of signs:
-// that the foot is in the features, and that no other corner is on the wrong side. Any of them may be zero: other
-// features then hold points that are as close, and these points are still closest.
+// Let x be a point of the first triangle and y of the second, with n = y - x not zero. x and y are closest if and only
+// if no corner of the first triangle is beyond x along n, and no corner of the second is before y: the dot product with
+// n is a linear function, and a triangle is the convex hull of its corners. So a few signs decide about a pair of
+// features: they show if the feet are in the features, and if no other corner is on the wrong side. Any of these signs
+// may be zero: then other features contain points that are equally close, and x and y are still closest.
 //
-// Disjoint triangles always have a pair of features that this decides, and triangles that meet have only pairs at
-// distance zero. Let x and y be closest. If each is in the relative interior of an edge or face, and these two are
-// parallel in some direction, both points can be moved along it by the same vector, until one is at the end of its edge
-// or on the border of its face. The remaining pairs are a vertex and anything, and two edges that are not parallel.
+// For disjoint triangles some pair of features passes this test; for triangles that meet, only pairs at distance zero
+// do. Let x and y be closest. If each is in the relative interior of an edge or face, and these two features are
+// parallel to a common direction, both points can be moved along it by the same vector, until one is at the end of its
+// edge or on the border of its face. The pairs that remain are a vertex and any feature, and two edges that are not
+// parallel.
 //
-// Widths. Let differences of coordinates be below 2^k. Exponents: a product of two differences has 2k, and a sum of two
-// or three products one or two bits more.
+// Widths. Let differences of coordinates be below 2^k. The table has the exponents of upper bounds: a product of two
+// differences has 2k, and a sum of two or three products has one or two more.
 //     w.u, u.u           2k + 2       w x u, u x v        2k + 1
 //     n.w                3k + 3       n.n, (w x v).n      4k + 4
 //     (u.u) w - (w.u) u  3k + 3       its product with a difference  4k + 5
@@ -31,18 +33,18 @@
 
 namespace ecods::exact {
 
-// Says how a pair of features relates to the closest points.
+// Says if a pair of features contains closest points x and y of the triangles.
 enum class Standing : std::uint8_t {
-    none,    // it does not hold any
-    border,  // it holds two on the border of a feature, which are in features of lower dimension
-    inside,  // it holds two inside both features; others may be as close
-    only,    // it holds the only two, inside both features
+    none,    // it contains none
+    border,  // x or y is on the border of its feature, so in a feature of lower dimension
+    inside,  // x and y are inside both features; other points may be equally close
+    only,    // x and y are inside both features; no other points are equally close
 };
 
 template <int L>
 class ExactFeatures {
   public:
-    // Coordinates have so many bits and a sign.
+    // Coordinates have at most this many bits, and a sign.
     static constexpr int coordinate_bits = 64 * L - 3;
     using Point = std::array<Limbs<L>, 3>;
 
@@ -59,38 +61,40 @@ class ExactFeatures {
         }
     }
 
-    // Calls use(v, is_turned) with a vector along the gap between the closest points of the features, from the first
-    // triangle to the second, or from the second to the first if is_turned. The features must not meet.
+    // Calls use(v, is_turned), where v is parallel to the segment between the closest points of the features. v points
+    // from the first triangle to the second; if is_turned, from the second to the first. The features must not meet.
     template <class Use>
     auto with_direction(const FeaturePair& f, Use&& use) const;
 
-    // Decides if features that are vertices or not parallel have one point in common: `inside` both, or on the `border`
-    // of one; `none` if they have not.
+    // Decides if the features have exactly one common point. Returns `inside` if it is inside both features, `border`
+    // if it is on the border of a feature, and `none` if there is no such point. The features must not be parallel,
+    // unless one is a vertex.
     Standing meeting(const FeaturePair& f) const noexcept;
 
-    // Sets the squared distance of features that hold closest points, except for its `exponent`.
+    // Sets all members of `result` except `exponent` to the squared distance of the features, which must contain
+    // closest points.
     void measure(const FeaturePair& f, SquaredDistance& result) const noexcept;
 
     using Vector = LimbVector<L>;
 
-    // Returns a corner, relative to the origin of all points.
+    // Returns corner i of triangle `side`, relative to the origin of all points.
     Vector position(std::size_t side, std::size_t i) const noexcept { return difference<L>(corner(side, i), Point{}); }
-    // Returns corner (i + to) minus corner i.
+    // Returns corner i + to minus corner i (modulo 3) of triangle `side`.
     Vector from(std::size_t side, std::size_t i, std::size_t to) const noexcept {
         return difference<L>(corner(side, i + to), corner(side, i));
     }
-    // Returns the normal of the face, or the cross product of the two edges.
+    // Returns the normal of the face, if f is a vertex and a face; the cross product of the edges, if f is two edges.
     LimbVector<2 * L> normal(const FeaturePair& f) const noexcept {
         if (f.kind == FeatureKind::edge_edge) return cross<L>(from(0, f.a, 1), from(1, f.b, 1));
         const std::size_t of = 1 - f.vertex_side;
         return cross<L>(from(of, 0, 1), from(of, 0, 2));
     }
-    // Returns w: the corner of the second triangle that names its feature, less the corner of the first.
+    // Returns w: the corner that names the second triangle's feature minus the corner that names the first triangle's.
     Vector between(const FeaturePair& f) const noexcept { return difference<L>(corner(1, f.b), corner(0, f.a)); }
 
-    // Holds the foot of a vertex on the line of an edge, at s / den of the edge from its beginning.
+    // The foot of a vertex on the line of an edge is the edge's beginning plus (s / den) u.
     struct FootOnEdge {
-        Vector w, u;  // between(f), and the edge
+        Vector w, u;  // between(f), and the vector of the edge
         Magnitude<2 * L> s, den;
     };
     FootOnEdge foot_on_edge(const FeaturePair& f) const noexcept {
@@ -102,8 +106,9 @@ class ExactFeatures {
         return foot;
     }
 
-    // Holds the foot of a vertex on a face's plane, at s / den and t / den of the face's two edges from its first
-    // corner, or the feet of two edges' lines on each other, at s / den and t / den of the edges. `n` is normal(f).
+    // For a vertex and a face: the foot of the vertex on the face's plane is corner 0 plus (s / den) e1 + (t / den) e2,
+    // where e1 and e2 are the face's edges from corner 0. For two edges: the feet of their lines on each other are at s
+    // / den and t / den of the edges. `n` is normal(f).
     struct Feet {
         Magnitude<4 * L> s, t, den;
     };
@@ -126,7 +131,7 @@ class ExactFeatures {
     static_assert(4 * k + 5 < 64 * (4 * L));
     static_assert(6 * k + 6 <= 64 * (6 * L));
 
-    // Joins weak signs by "and", and knows if all of them were strict.
+    // Combines signs that must be >= 0: `hold` is true if all are, and `are_strict` if all are > 0.
     struct Signs {
         bool hold = true;
         bool are_strict = true;
@@ -138,8 +143,8 @@ class ExactFeatures {
 
     const Point& corner(std::size_t side, std::size_t i) const noexcept { return points_[3 * side + i % 3]; }
 
-    // Requires that corner i + to of `side` is not beyond corner i along n, which points from the first triangle to the
-    // second, or the other way if `turned`.
+    // Adds to `signs` the condition that corner i + to of triangle `side` is not beyond corner i along n. n points from
+    // the first triangle to the second; if `turned`, from the second to the first.
     template <int M>
     void outward(Signs& signs, const LimbVector<M>& n, bool turned, std::size_t side, std::size_t i,
                  std::size_t to) const noexcept {
@@ -148,7 +153,7 @@ class ExactFeatures {
         signs.positive((side == 0) != turned ? -s : s);
     }
 
-    // Returns (u.u) w - (w.u) u, for a vertex and an edge.
+    // Returns (u.u) w - (w.u) u for a vertex and an edge u: the gap between the vertex and the edge's line, times u.u.
     LimbVector<3 * L> across_edge(const FeaturePair& f, const FootOnEdge& foot) const noexcept {
         const Magnitude<2 * L> along = f.vertex_side == 0 ? negated<2 * L>(foot.s) : foot.s;
         LimbVector<3 * L> n;
@@ -161,7 +166,7 @@ class ExactFeatures {
         return n;
     }
 
-    // Return the signs that decide if feet are in the features.
+    // Return the signs that decide if the feet are inside the features.
     static Signs are_inside(const FootOnEdge& foot) noexcept {
         Signs inside;
         inside.positive(sign<2 * L>(foot.s));
@@ -221,8 +226,8 @@ Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexce
     return standing(inside, outside);
 }
 
-// Decides a vertex and a face, or two edges. Corners of the face or edges are in a plane perpendicular to the gap, and
-// need no test. At height zero the two points are one.
+// Does the work of standing() for a vertex and a face, or two edges. Corners of the face or the edges are in planes
+// perpendicular to the gap, so they need no test. If the gap is zero, the two points are equal.
 template <int L>
 Standing ExactFeatures<L>::of_plane(const FeaturePair& f) const noexcept {
     const LimbVector<2 * L> n = normal(f);
@@ -291,7 +296,7 @@ void ExactFeatures<L>::measure(const FeaturePair& f, SquaredDistance& result) co
     }
 }
 
-// Each number of limbs is compiled once, in exact_features.cpp.
+// Instances for all numbers of limbs are compiled in exact_features.cpp.
 extern template class ExactFeatures<1>;
 extern template class ExactFeatures<2>;
 extern template class ExactFeatures<4>;

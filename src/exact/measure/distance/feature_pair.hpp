@@ -1,4 +1,4 @@
-// A FeaturePair names a vertex, an edge or a face of each of two triangles, by corners.
+// A FeaturePair names a feature (a vertex, an edge or a face) of each of two triangles, by corners.
 #pragma once
 
 #include <array>
@@ -9,14 +9,15 @@ namespace ecods::exact {
 
 enum class FeatureKind : std::uint8_t { vertex_vertex, vertex_edge, vertex_face, edge_edge };
 
-// `a` and `b` are corners of the first and the second triangle: a corner names a vertex, or the edge that begins there;
-// 0 names the face.
+// `a` names the feature of the first triangle and `b` the feature of the second: corner i names vertex i, or the edge
+// from corner i to the next corner; 0 names the face.
 struct FeaturePair {
     FeatureKind kind = FeatureKind::vertex_vertex;
     std::uint8_t vertex_side = 0;  // for vertex_edge and vertex_face: the triangle that has the vertex
     std::uint8_t a = 0, b = 0;
 
-    // corner() names the feature of a triangle; corner_count() is the number of the feature's corners.
+    // corner(side) returns the corner that names the feature of triangle `side` (see above), and corner_count(side) how
+    // many corners that feature has.
     constexpr std::size_t corner(std::size_t side) const noexcept { return side == 0 ? a : b; }
     constexpr std::size_t corner_count(std::size_t side) const noexcept {
         if (kind == FeatureKind::vertex_vertex) return 1;
@@ -33,12 +34,12 @@ constexpr FeaturePair pair_of(FeatureKind kind, std::size_t vertex_side, std::si
     return {kind, static_cast<std::uint8_t>(vertex_side), static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)};
 }
 
-// Pairs a vertex of `side` with an edge or a face of the other triangle.
+// Pairs vertex `vertex` of triangle `side` with feature `other` of the other triangle: an edge or a face, by `kind`.
 constexpr FeaturePair vertex_and(FeatureKind kind, std::size_t side, std::size_t vertex, std::size_t other) noexcept {
     return side == 0 ? pair_of(kind, 0, vertex, other) : pair_of(kind, 1, other, vertex);
 }
 
-// Returns a pair of features with count_a and count_b corners, each the first of its kind in its triangle.
+// Returns a pair of features that have count_a and count_b corners; each is named by corner 0.
 constexpr FeaturePair features_of_counts(std::size_t count_a, std::size_t count_b) noexcept {
     const std::size_t most = count_a > count_b ? count_a : count_b;
     const FeatureKind kind =
@@ -50,8 +51,9 @@ constexpr std::size_t next_corner(std::size_t i) noexcept {
     return i == 2 ? 0 : i + 1;
 }
 
-// Lists all pairs of two triangles, in the order in which one of several equally close pairs is chosen: by kind, by the
-// corner of the first triangle, by the corner of the second, and then the pair with the vertex on the first triangle.
+// Lists all pairs of features of two triangles. If several pairs are equally close, the first one in this list is
+// chosen. The order is by kind, then by the corner of the first triangle, then by the corner of the second; a pair with
+// the vertex on the first triangle comes before one with the vertex on the second.
 inline constexpr std::array<FeaturePair, 42> feature_pairs = [] {
     std::array<FeaturePair, 42> pairs;
     std::size_t count = 0;

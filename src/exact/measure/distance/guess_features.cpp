@@ -16,7 +16,8 @@ ECODS_ALWAYS_INLINE double clamp(double x) noexcept {
     return std::min(std::max(x, 0.0), 1.0);
 }
 
-// Returns the features that hold the points at s on edge i and at t on edge j.
+// Returns the features that contain the points at parameter s of the first triangle's edge i and at t of the second's
+// edge j.
 FeaturePair features_at(Index i, double s, Index j, double t) noexcept {
     const bool is_inside_a = s > 0 && s<1, is_inside_b = t> 0 && t < 1;
     const Index a = s >= 1 ? next_corner(i) : i, b = t >= 1 ? next_corner(j) : j;
@@ -51,7 +52,8 @@ class FeatureGuess {
     }
 
   private:
-    // Tries two edges; true if their closest points are very probably the closest points of the triangles.
+    // Finds the closest points of edges i and j, and keeps their features in best_ if no nearer pair was found before.
+    // Returns true if these points are very probably the closest points of the triangles.
     ECODS_ALWAYS_INLINE bool try_edges(Index i, Index j) noexcept {
         const Point &u = edge_[0][i], &v = edge_[1][j];
         const double uu = square_[0][i], vv = square_[1][j];
@@ -69,14 +71,16 @@ class FeatureGuess {
         const double square = dot(z, z);
         if (!(square < best_.square)) return false;
         best_ = {square, features_at(i, s, j, t)};
-        // Measures the third corners from the other end of each edge.
+        // third_a and third_b are the dot products of z with the vectors from the closest points to the third corners;
+        // each vector goes along the edge to its end, (1 - s) u, and then along the next edge.
         const double third_a = dot(edge_[0][next_corner(i)], z) + (1 - s) * dot(u, z);
         const double third_b = dot(edge_[1][next_corner(j)], z) + (1 - t) * dot(v, z);
         return third_a <= 0 && third_b >= 0;
     }
 
-    // True if the plane of a face separates the triangles, and the corner nearest to it is over the face. Otherwise
-    // leaves a hint which edges to begin with: the edge beyond which the foot is, and the edge at that corner.
+    // True if the plane of the face of triangle `side` separates the triangles, and the other's corner nearest to the
+    // plane is over the face; sets best_ to this pair. If the nearest corner is not over the face, sets first_ to the
+    // edges to begin with: the face's edge beyond which the foot is, and the edge that begins at the nearest corner.
     ECODS_ALWAYS_INLINE bool try_face(Index side) noexcept {
         const Point *face = &x_[3 * side], *corners = &x_[3 * (1 - side)];
         const Point &e1 = edge_[side][0], e2 = minus(face[2], face[0]), n = cross(e1, e2);

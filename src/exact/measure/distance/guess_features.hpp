@@ -1,4 +1,4 @@
-// guess_features guesses which features of two triangles are the closest.
+// guess_features guesses which features of two triangles contain the closest points.
 #pragma once
 
 #include "exact/measure/distance/feature_pair.hpp"
@@ -6,12 +6,12 @@
 
 namespace ecods::exact {
 
-// Promises nothing about the guess, so rounding does not matter. `vertex_edge` and `edge_edge` have edges of positive
-// length, `vertex_face` a face with an area.
+// The guess may be wrong, so rounding does not matter. An edge of a guess has a positive length if the kind is
+// `vertex_edge` or `edge_edge`, and the face of `vertex_face` has an area.
 //
-// Follows Larsen, Gottschalk, Lin and Manocha, Fast Proximity Queries with Swept Sphere Volumes, 1999, section 6, with
-// faces first: tries corners over faces, then all pairs of edges until the planes across the gap have both triangles on
-// their outer sides.
+// Follows Larsen, Gottschalk, Lin and Manocha, Fast Proximity Queries with Swept Sphere Volumes, 1999, section 6, but
+// tries faces first: corners over faces, and then all pairs of edges until the planes across the gap have both
+// triangles on their outer sides.
 FeaturePair guess_features(const IntegerPair& pair) noexcept;
 
 }  // namespace ecods::exact

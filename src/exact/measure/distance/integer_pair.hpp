@@ -1,4 +1,4 @@
-// An IntegerPair holds the corners of two triangles as integers, for enclosures and guesses of features.
+// An IntegerPair holds the corners of two triangles as integers, for guesses of features and for enclosures.
 #pragma once
 
 #include <array>
@@ -9,15 +9,15 @@
 
 namespace ecods::exact {
 
-// Holds six integer points in units of 2^unit. A coordinate of a difference of two points is off by less than `error`
-// units.
+// Holds the three corners of the first triangle and then of the second, in units of 2^unit. Each coordinate of the
+// difference of two corners is off by less than `error` units (by 0 if `error` is 0).
 struct IntegerPair {
     std::array<IntegerFrame::Point, 6> at;
     int unit;
     int error;  // 0 if exact, or IntegerFrame::error_units
 };
 
-// Reads the corners of one triangle of each of the first two bodies.
+// Returns the corners of triangle a of the frame's first body and triangle b of its second body.
 ECODS_ALWAYS_INLINE IntegerPair integer_pair(IntegerFrame& frame, const Triangle& a, const Triangle& b) noexcept {
     IntegerPair pair;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -29,10 +29,11 @@ ECODS_ALWAYS_INLINE IntegerPair integer_pair(IntegerFrame& frame, const Triangle
     return pair;
 }
 
-// Returns the points less the first one, in a common power of two, below 2^53.
+// Returns the points minus the first point as doubles, scaled by one power of two, so that magnitudes are below 2^53.
 Points<6> to_doubles(const IntegerPair& pair) noexcept;
 
-// Returns the corner of a face where its two shorter edges meet: their cross product is the most accurate one.
+// Returns the corner at which the two shorter edges of the triangle meet: the cross product of these edges is the most
+// accurate one.
 std::size_t blunt_corner(const IntegerPair& pair, std::size_t side) noexcept;
 
 }  // namespace ecods::exact

@@ -1,4 +1,4 @@
-// measure_pair.hpp finds the features that hold the closest points of two triangles of integer points.
+// Finds the features that contain the closest points of two triangles, whose corners are integer points.
 #pragma once
 
 #include <algorithm>
@@ -38,14 +38,15 @@ auto to_limbs(const IntegerPoints<Kernel, N>& points) noexcept {
     return result;
 }
 
-// Holds a pair of features with closest points and its standing; `none` if the triangles share a point and the guess
-// does not show it.
+// Holds a pair of features that contain closest points, and the pair's standing. The standing is `none` if the
+// triangles share a point and the guess does not show it.
 struct ClosestFeatures {
     FeaturePair features;
     Standing standing = Standing::none;
 };
 
-// Tries `guess` first; it is taken without a test if its standing is `only`.
+// Returns a pair of features that contain closest points. If the standing of `guess` is `only`, returns the guess
+// without a test; otherwise tests the guess first.
 template <class Kernel, int L>
 ClosestFeatures find_closest(const IntegerPoints<Kernel, 6>& points, const ExactFeatures<L>& features,
                              const ClosestFeatures& guess) noexcept {
@@ -57,11 +58,11 @@ ClosestFeatures find_closest(const IntegerPoints<Kernel, 6>& points, const Exact
     for (const FeaturePair& pair : feature_pairs) {
         if (const Standing standing = features.standing(pair); standing != Standing::none) return {pair, standing};
     }
-    ECODS_ASSERT(false);  // Disjoint triangles have closest points.
+    ECODS_ASSERT(false);  // disjoint triangles have closest points
     return {};
 }
 
-// Each kernel is compiled once, in measure_pair.cpp, and so is the relation of two triangles that it asks for.
+// The functions for all kernels are compiled in measure_pair.cpp, and so is triangle_pair(), which they call.
 extern template ClosestFeatures find_closest(const IntegerPoints<OneLimbKernel, 6>&, const ExactFeatures<1>&,
                                              const ClosestFeatures&) noexcept;
 extern template ClosestFeatures find_closest(const IntegerPoints<TwoLimbKernel, 6>&, const ExactFeatures<2>&,
@@ -81,7 +82,8 @@ extern template Relation triangle_pair(const ExactSigns<LimbKernel<8>, 6>&);
 extern template Relation triangle_pair(const ExactSigns<LimbKernel<20>, 6>&);
 extern template Relation triangle_pair(const ExactSigns<LimbKernel<limb_count_max>, 6>&);
 
-// Returns the first features in the order of feature_pairs that hold closest points of disjoint triangles inside.
+// Returns the first pair, in the order of feature_pairs, with closest points in both relative interiors. The triangles
+// must be disjoint; `found` is the result of find_closest().
 template <int L>
 FeaturePair first_closest(const ExactFeatures<L>& features, const ClosestFeatures& found) noexcept {
     if (found.standing == Standing::only) return found.features;

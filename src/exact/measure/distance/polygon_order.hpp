@@ -1,8 +1,9 @@
-// PolygonOrder sorts the corners of a convex polygon into the order in which they go around it.
+// PolygonOrder sorts the corners of a convex polygon by their order around the polygon.
 //
-// In lexicographic order the first and the last corner are the ends of a diagonal, and the others are on its two sides,
-// on each side in the order in which they follow each other. The side of a corner is the sign of an orientation in the
-// plane of two coordinates onto which the polygon does not collapse, in homogeneous coordinates.
+// Sort the corners lexicographically. The first and the last one are then the ends of a diagonal. The other corners are
+// on the two sides of the diagonal, and on each side they are already in the order in which they follow each other. The
+// side of a corner is the sign of an orientation, in homogeneous coordinates, in a plane of two coordinates. The plane
+// is chosen such that the polygon's projection has an area.
 //
 // Widths. Numerators are below 2^(5k + 4) and denominators below 2^(4k + 4) (closest_points.hpp), so the determinant, a
 // sum of six products of two numerators and a denominator, is below 2^(14k + 15), and has a sign.
@@ -24,7 +25,7 @@ class PolygonOrder {
   public:
     using Corner = typename SharedCorners<L>::Corner;
 
-    // `normal` is a normal of the polygon's plane, not zero.
+    // `normal` is a normal of the polygon's plane; it must not be zero.
     explicit PolygonOrder(const LimbVector<2 * L>& normal) noexcept {
         std::size_t axis = 0;
         while (is_zero<2 * L>(normal[axis].limbs)) ++axis;
@@ -33,14 +34,14 @@ class PolygonOrder {
         y_ = (axis + 2) % 3;
     }
 
-    // Takes at least three corners, in lexicographic order. The first stays the first; the others follow it
-    // counterclockwise as seen from where the normal points to.
+    // Sorts at least three corners, which must be in lexicographic order. The first one stays the first; the others
+    // follow counterclockwise, as seen from the side to which the normal points.
     void sort(std::vector<Corner>& corners) const {
         const Corner first = corners.front(), last = corners.back();
         const auto upper = std::stable_partition(corners.begin() + 1, corners.end() - 1, [&](const Corner& corner) {
             return turn_ * orientation(first, last, corner) < 0;
         });
-        // The order is: the lower side, the last corner, and the upper side backwards.
+        // The result is the first corner, the lower side, the last corner, and the upper side in reverse order.
         std::reverse(upper, corners.end());
     }
 
@@ -48,8 +49,8 @@ class PolygonOrder {
     static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
     static_assert(14 * k + 16 <= 64 * (14 * L));
 
-    // Positive if p, q, r make a left turn. Not inlined: sorting calls it in many places, which had 200 kB of the same
-    // code.
+    // Returns the sign of the orientation of p, q and r: positive for a left turn. Not inlined, because sort() would
+    // contain many copies of it (200 kB of code).
     [[gnu::noinline]] int orientation(const Corner& p, const Corner& q, const Corner& r) const noexcept {
         Limbs<14 * L> sum{};
         add_cofactor(sum, p, q, r);
@@ -58,7 +59,7 @@ class PolygonOrder {
         return sign<14 * L>(sum);
     }
 
-    // Adds (p_x q_y - p_y q_x) times the denominator of r.
+    // Adds (p_x q_y - p_y q_x) times the denominator of r to `sum`.
     void add_cofactor(Limbs<14 * L>& sum, const Corner& p, const Corner& q, const Corner& r) const noexcept {
         Limbs<10 * L> minor{};
         add_product<5 * L, 5 * L>(minor, p.num[x_], q.num[y_]);
@@ -70,8 +71,8 @@ class PolygonOrder {
     int turn_;
 };
 
-// Returns the shared corners in the order in which they go around their polygon, counterclockwise as seen from where
-// the first triangle's normal points to.
+// Returns the shared corners in their order around the polygon, counterclockwise as seen from the side to which the
+// first triangle's normal points.
 template <int L>
 std::vector<typename SharedCorners<L>::Corner> corners_around(const SharedCorners<L>& shared) {
     auto corners = shared.corners();

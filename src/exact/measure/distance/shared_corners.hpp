@@ -1,10 +1,11 @@
-// SharedCorners finds the corners of the intersection of two triangles, in integers.
+// SharedCorners computes the corners of the intersection of two triangles, in integers.
 //
-// The intersection is convex and has at most six corners. A corner is in the relative interior of a vertex, edge or
-// face of each triangle, and these two features have no other point in common. So it is a vertex that is in the other
-// triangle, a point where an edge goes through the other's face, or a crossing of two edges. For proper triangles all
-// points of these three kinds are corners, since their features have only one point in common. If the intersection is a
-// segment, a vertex of a zero-area triangle may lie between its ends.
+// The intersection is convex and has at most six corners. Each of these corners is in the relative interior of one
+// feature (vertex, edge or face) of each triangle, and these two features have no other common point. So it is a vertex
+// that is in the other triangle, a point where an edge goes through the other's face, or a crossing of two edges. If
+// both triangles have an area, all points of these three kinds are corners of the intersection, since their features
+// have only one common point. If the intersection is a segment, a vertex of a triangle without area may lie between its
+// ends.
 #pragma once
 
 #include <algorithm>
@@ -42,13 +43,13 @@ class SharedCorners {
         if (is_segment && corners_.size() > 2) corners_ = {corners_.front(), corners_.back()};
     }
 
-    // Returns each corner once, in lexicographic order of coordinates; none if the triangles share no point.
+    // Returns each corner once, in lexicographic order of coordinates; an empty list if the triangles share no point.
     const std::vector<Corner>& corners() const noexcept { return corners_; }
 
-    // Returns the normal that is defined by the features of lowest dimension that hold the inside of the intersection.
-    // They define one if they are a face and anything in its plane (the face's normal, the first triangle's if both are
-    // faces) or two edges that are not parallel (their cross product). Returns nothing otherwise, or if no point is
-    // shared.
+    // Returns a common normal of the two features of lowest dimension that contain the relative interior of the
+    // intersection, if they define one. A face and a feature in its plane define the face's normal (the first
+    // triangle's if both are faces). Two edges that are not parallel define their cross product. Otherwise, or if the
+    // triangles share no point, returns nullopt.
     std::optional<LimbVector<2 * L>> normal() const;
 
   private:
@@ -71,7 +72,7 @@ class SharedCorners {
     std::vector<Corner> corners_;
 };
 
-// True if corner i of a triangle is in the other.
+// True if corner i of triangle `side` is in the other triangle.
 template <int L>
 bool SharedCorners<L>::is_in(std::size_t side, std::size_t i) const noexcept {
     const auto holds = [&](FeatureKind kind, std::size_t of_other) {
@@ -84,8 +85,9 @@ bool SharedCorners<L>::is_in(std::size_t side, std::size_t i) const noexcept {
     return false;
 }
 
-// Adds the point in which an edge goes through the other's face, with its ends strictly on both sides: at
-// h0 / (h0 - h1) of the edge, where h0 and h1 are the heights of its ends.
+// Adds the point in which an edge of triangle `side` goes through the other's face, if there is one: the edge's ends
+// must be strictly on both sides of the face. The point is at h0 / (h0 - h1) of the edge, where h0 and h1 are the
+// heights of its ends above the face's plane.
 template <int L>
 void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
     const std::size_t face = 1 - side;
@@ -97,7 +99,8 @@ void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
     const Magnitude<3 * L> fall = negated<3 * L>(rise);
     const int begin = sign<3 * L>(h0), end = begin * sign<3 * L>(minus<3 * L>(h0, fall));
     if (begin == 0 || end >= 0) return;
-    // Finds the sides of the edge's line on which the edges of the face pass.
+    // Tests on which sides of the edge's line the edges of the face pass. The line misses the face if there are both
+    // signs.
     int least = 1, most = -1;
     for (std::size_t i = 0; i < 3; ++i) {
         Vector x = features_.position(face, i), y = features_.position(face, i + 1);
@@ -111,7 +114,7 @@ void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
         most = std::max(most, s);
     }
     if (least < 0 && most > 0) return;
-    // Both get the sign of h0, so that the denominator is positive.
+    // h0 and h0 - h1 have the same sign. Both are made positive, as denominators must be.
     Weight den = widened<4 * L>(fall), s = widened<4 * L>(h0);
     den.negative = s.negative = 0;
     add(weighted_point<L>(den, features_.position(side, edge), Weighted<L>{s, u}));
@@ -126,7 +129,7 @@ void SharedCorners<L>::add_crossing(std::size_t i, std::size_t j) {
     add(weighted_point<L>(feet.den, features_.position(0, i), Weighted<L>{feet.s, u}));
 }
 
-// Adds a corner unless it is in the list.
+// Inserts a corner into the sorted list, unless the list contains it.
 template <int L>
 void SharedCorners<L>::add(const Corner& corner) {
     const auto at = std::ranges::find_if(corners_, [&](const Corner& other) { return compare(other, corner) >= 0; });
@@ -160,11 +163,11 @@ auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L
         if (f.kind != FeatureKind::vertex_face || goes_through(f)) return std::nullopt;
         return features_.normal(f);
     }
-    return std::nullopt;  // a segment that goes through a face
+    return std::nullopt;  // an edge that goes through a face
 }
 
-// True if a corner inside the other's face has its triangle on both sides of the face. If triangles share only a point,
-// this corner is the middle one of a zero-area triangle.
+// True if a corner is inside the other's face, and its own triangle has points strictly on both sides of the face. If
+// the triangles share only this corner, it is the middle one of a triangle without area.
 template <int L>
 bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
     const std::size_t side = f.vertex_side, corner = f.corner(side);
@@ -180,7 +183,8 @@ auto SharedCorners<L>::normal_along_segment() const -> std::optional<LimbVector<
     return normal_[is_in_edge_of_a ? 1 : 0];
 }
 
-// True if an edge of a triangle holds both corners: den p - num is parallel to the edge, where p is one of its ends.
+// True if one edge of triangle `side` contains both corners in corners_. A corner num / den is on the line of an edge
+// from p if den p - num is parallel to the edge.
 template <int L>
 bool SharedCorners<L>::is_in_edge(std::size_t side) const noexcept {
     const auto is_on_line = [&](const Corner& corner, std::size_t edge) {

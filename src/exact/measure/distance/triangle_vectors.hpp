@@ -1,41 +1,47 @@
-// TriangleVectors are the vectors between the corners of two triangles, with bounds of their products with other
-// vectors.
+// TriangleVectors computes vectors between the corners of two triangles, products of these vectors, and error bounds of
+// the products.
 //
-// Let p be a corner of the first triangle and q one of the second, w = q - p, and a1, a2 and b1, b2 the other corners
-// of either triangle less p and q. Every vector is a ScaledVector with a power of two of its own. Coordinates are
-// integers of magnitude at most X = 2^53, and off by at most
+// Let p be a corner of the first triangle, q a corner of the second, and w = q - p. Let a1 and a2 be the first
+// triangle's other corners minus p, and b1 and b2 the second triangle's other corners minus q. Each of these vectors is
+// a ScaledVector, with its own power of two. Coordinates are integers of magnitude at most X = 2^53, and off by at most
 //     eta = 1 + error <= 6:
-// one for the shift, `error` for the points, whose unit is at most the vector's. u' = 2^-52 bounds one operation.
+// one for the shift, and `error` for the points, whose unit is at most the vector's. u' = 2^-52 bounds the relative
+// error of one operation.
 //
-// Weak duality. For ANY vector n, of doubles taken as they are, every point of the second triangle less every point of
-// the first has at least the dot product min(0, n.b1, n.b2) + n.w - max(0, n.a1, n.a2) with n. No error of n matters. A
-// product n.x as computed, three products and two sums, meets at most three factors (1 + e):
+// Weak duality. Let n be ANY vector of doubles. For every point x of the first triangle and y of the second, n.(y - x)
+// is at least min(0, n.b1, n.b2) + n.w - max(0, n.a1, n.a2). n itself is taken as it is, so its errors do not matter. A
+// product n.x as computed, three products and two sums, has at most three factors (1 + e) on each term:
 //     |fl(n.x) - n.x_true| <= ((1 + u')^3 - 1) X |n|_1 + eta |n|_1 <= (6.01 + eta) |n|_1,   u' X = 2.
 // Subtracting a bound from n.x, or adding one, rounds by up to u' (X |n|_1 + the bound) < 2.01 |n|_1. |n|_1 as computed
-// is too low by at most a factor of (1 - u')^2. So E = (8.5 + eta) |n|_1, subtracted or added, leaves a bound of the
-// true product. Let r1 = n.w - E, r2 = r1 + min, r3 = r2 - max as computed, brought to the power of two of w, which is
-// exact. The last two round by u' of their results, and r3 <= r2 <= r1, so the sum is at least r3 - 4 u' r1.
+// is too low by at most a factor of (1 - u')^2. So n.x - E and n.x + E, with E = (8.5 + eta) |n|_1, are bounds of the
+// true product. Let r1 = n.w - E, r2 = r1 + min, r3 = r2 - max as computed, where min and max are scaled to the power
+// of two of w, which is exact. The last two sums round by u' of their results, and r3 <= r2 <= r1, so the true value is
+// at least r3 - 4 u' r1.
 //
-// Certain signs. A vector is off by C u' X in each coordinate, C = eta / 2. A polynomial of m monomials of degree g in
-// vectors, evaluated with at most r roundings on the way of any monomial, is off by at most m (g C + r) u' times the
-// product of the X: a monomial meets at most (1 + C u')^g (1 + u')^r, and 2^-20 more (second_order) covers the second
-// order and the bound's own arithmetic. A difference of two such numbers in one power of two has the sum of the bounds,
-// and twice that sum covers its rounding. All numbers are 0 or between 2^-200 and 2^600: nothing underflows or
-// overflows. Certain signs have the bounds, in units of u' times the product of the X,
+// Certain signs. A vector is off by C u' X in each coordinate, C = eta / 2. Consider a polynomial of m monomials of
+// degree g in the vectors, evaluated with at most r roundings of any monomial. It is off by at most m (g C + r) u'
+// times the product of the X: a monomial has a factor of at most (1 + C u')^g (1 + u')^r, and 2^-20 more (second_order)
+// covers the second order and the bound's own arithmetic. The difference of two such numbers in one power of two has
+// the sum of their bounds, and twice that sum covers its rounding, too. All numbers are 0 or between 2^-200 and 2^600,
+// so nothing underflows or overflows. The bounds, in units of u' times the product of the X, are
 //     x.y                                  3 (2 C + 3)
 //     (x x y).z                            6 (3 C + 5)
 //     (x x y).(z x v)                     12 (4 C + 7)
 //     ((y.y) x - (x.y) y).z               18 (4 C + 8)
 //
-// Feet. Let n = u x v, of a face's edges u and v from its corner, or of two edges, and d any vector along which
-// features are projected: n itself, or the direction of a motion. With f and g the powers of two between the unit of w
-// and the units of u and v, and `foot` -w or w, from the face's corner to the vertex, the vertex is projected into the
-// face at
+// Feet. Let n = u x v, where u and v are a face's edges from its corner, or two edges. Let d be the vector along which
+// features are projected: n itself, or the direction of a motion. Let f and g be the powers of two between the unit of
+// w and the units of u and v. For a vertex and a face, let `foot` be the vector from the face's corner to the vertex,
+// which is w or -w. The vertex is projected into the face at
 //     s1 = (foot x v).d / (f n.d),  s2 = (u x foot).d / (g n.d),  inside if s1, s2 and 1 - s1 - s2 are positive,
 // and two edges cross in the projection at
 //     s1 = (w x v).d / (f n.d),     s2 = (w x u).d / (g n.d),     inside if these and 1 - s1, 1 - s2 are.
-// Signs of s1 and s2, times n.d, are certain by the bound of (x x y).d, which is the bound of (x x y).z for a motion
-// and of (x x y).(z x v) for n; sums of them as above.
+// The signs of s1 n.d and s2 n.d are certain by the bound of (x x y).d, which is the bound of (x x y).z for a motion
+// and of (x x y).(z x v) for n. Sums of s1, s2 and 1 are treated like the differences above.
+// Claim: verify/proofs/weak_duality.py
+// Claim: verify/proofs/enclosure_signs.g
+// Claim: verify/proofs/enclosure_signs_exact.g
+// Claim: verify/proofs/certain_signs.py
 #pragma once
 
 #include <algorithm>
@@ -50,20 +56,20 @@
 
 namespace ecods::exact {
 
-// X^2, X^3, and the factor that covers the second order of a bound.
+// X^2, X^3, and the factor that covers the second order of a bound (see "Certain signs").
 inline constexpr double square_of_size = 0x1p106;
 inline constexpr double cube_of_size = 0x1p159;
 inline constexpr double second_order = 1 + 0x1p-20;
 
 struct TriangleVectors {
-    // Holds feet at s / den of the first vector and t / den of the second, den not negative; are_inside is true if they
-    // are certainly inside both features.
+    // Holds feet at s / den along the first vector and t / den along the second, with den >= 0. are_inside is true if
+    // it is certain that they are inside both features.
     struct Feet {
         double s, t, den;
         bool are_inside;
     };
 
-    // Takes for p and q the corners that name the features; for a face, its blunt corner.
+    // p and q are the corners that name the features in f. For a face, its blunt_corner() is taken.
     TriangleVectors(const IntegerPair& pair, const FeaturePair& f) noexcept {
         std::size_t p = f.a, q = f.b;
         if (f.kind == FeatureKind::vertex_face) (f.vertex_side == 0 ? q : p) = blunt_corner(pair, 1 - f.vertex_side);
@@ -82,7 +88,7 @@ struct TriangleVectors {
         eta = 1 + pair.error;
     }
 
-    // Bounds of signs by the table above, with C = eta / 2: of x.y, (x x y).z, (x x y).(z x v), and the last row.
+    // Return the bounds of the table under "Certain signs", with C = eta / 2, row by row.
     double bound_of_two() const noexcept { return 3 * (eta + 3) * two_u * square_of_size * second_order; }
     double bound_of_three() const noexcept { return 6 * (1.5 * eta + 5) * two_u * cube_of_size * second_order; }
     double bound_of_four() const noexcept {
@@ -92,11 +98,11 @@ struct TriangleVectors {
         return 18 * (2 * eta + 8) * two_u * (square_of_size * square_of_size) * second_order;
     }
 
-    // Returns E, for a product with n.
+    // Returns E, the error bound of a dot product with n.
     double product_error(const Point& n) const noexcept { return (8.5 + eta) * sum_of_magnitudes(n); }
 
-    // Returns a lower bound of the dot product of n with any point of the second triangle less any of the first, in
-    // units of w. It is a bound only if it is positive.
+    // Returns a lower bound of n.(y - x) over all points x of the first and y of the second triangle, in units of w.
+    // `error` is product_error(n). A result that is not positive proves nothing.
     ECODS_ALWAYS_INLINE double gap(const Point& n, double error) const noexcept {
         const double first = dot(n, w.x) - error;
         double low = 0, high = 0;
@@ -107,15 +113,16 @@ struct TriangleVectors {
         return ((first + low) - high) - 4 * two_u * first;
     }
 
-    // True if the corner `other[side][k]` is certainly on its own triangle's side of the plane through p or q
-    // perpendicular to n; `bound` bounds the error of the dot product.
+    // True if it is certain that the corner at the end of other[side][k] is on its own triangle's side of the plane
+    // through p or q perpendicular to n. `bound` is an upper bound of the dot product's error.
     bool is_outward(const Point& n, std::size_t side, std::size_t k, double bound) const noexcept {
         const double x = dot(n, other[side][k].x);
         return side == 0 ? x < -bound : x > bound;
     }
 
-    // For a vertex and a face, or two edges: u, v and n of their feet, and the feet as seen along a vector, for a bound
-    // of the signs. are_others_outward is true if the corners beside the features are certainly outward.
+    // The next functions are for a vertex and a face, or two edges. first_edge(), second_edge() and normal() return u,
+    // v and n of the section "Feet". feet() returns the feet in the projection along `along`, with `bound` as the bound
+    // of signs. are_others_outward() is true if all corners beside the features are certainly outward.
     const Point& first_edge(const FeaturePair& f) const noexcept { return other[plane_side(f)][0].x; }
     const Point& second_edge(const FeaturePair& f) const noexcept {
         return f.kind == FeatureKind::edge_edge ? other[1][0].x : other[plane_side(f)][1].x;
@@ -145,11 +152,11 @@ struct TriangleVectors {
 
     ScaledVector w;
     ScaledVector other[2][2];
-    double factor[2][2];  // powers of two: from the unit of a vector to the unit of w
+    double factor[2][2];  // powers of two: a number in the unit of other[][] times factor is in the unit of w
     double eta;
 
   private:
-    // Returns the triangle that has the first edge.
+    // Returns the triangle that has the edge u: the face's triangle, or the first one.
     static std::size_t plane_side(const FeaturePair& f) noexcept {
         return f.kind == FeatureKind::edge_edge ? 0 : 1 - f.vertex_side;
     }

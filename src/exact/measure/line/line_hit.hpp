@@ -1,14 +1,15 @@
-// LineTriangle decides in exact integers what a part of a line shares with a triangle.
+// LineTriangle computes in exact integers which points a line (a segment or ray) shares with a triangle.
 //
-// Points are relative to the beginning of the line, whose points are s d, 0 <= s <= end. With corners p, q and r, and
-// n = (q - p) x (r - p), the line crosses the plane at s = n . p / n . d, and
+// All points are relative to the beginning of the line, so the line's points are s d, 0 <= s <= end. With corners p, q
+// and r, and n = (q - p) x (r - p), the line crosses the triangle's plane at s = n . p / n . d, and
 //     det(d, q, r) + det(d, r, p) + det(d, p, q) = n . d.
-// The three terms are the barycentric weights of the corners in that point, times n . d: the point is in the triangle
-// if no two of them have opposite signs. If n . d = 0, there is a common point only if line and triangle are in one
-// plane; then the triangle's part of the line is spanned by the parts of its edges, for triangles of zero area, too.
+// The three determinants are the barycentric coordinates of the crossing, times n . d. So the crossing is in the
+// triangle if and only if no two of them have opposite signs. If n . d = 0, there is a common point only if line and
+// triangle are in one plane. Then the line's part in the triangle is spanned by its parts in the edges; this also holds
+// for triangles of zero area.
 //
-// Widths. With coordinates below 2^k all of these are determinants of three differences, below 2^(3k + 6), and
-// parameters are fractions of such determinants or of shorter numbers.
+// Widths. With coordinates below 2^k all of these are determinants of three differences, below 2^(3k + 6). Parameters
+// are fractions of such determinants, or of shorter numbers.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +22,16 @@
 
 namespace ecods::exact {
 
-// Describes the shared points, from parameter `enter` to `leave`.
+// Describes the common points of line and triangle: the line's points at parameters from `enter` to `leave`.
 struct LineHit {
     Fraction enter;
     Fraction leave;
     bool is_along = false;  // true if enter and leave differ
-    // The least corner of the feature of lowest dimension that holds all shared points.
+    // the feature of lowest dimension that contains all common points, and the lowest corner that names it
     Feature::Kind feature = Feature::Kind::face;
     std::uint32_t corner = 0;
     int facing = 0;           // the sign of n . d
-    std::uint32_t entry = 3;  // if is_along: the corner that is at `enter`, or 3 if none is known to be
+    std::uint32_t entry = 3;  // if is_along: the corner at `enter`; 3 if none is known
 };
 
 template <int L>
@@ -44,10 +45,11 @@ class LineTriangle {
     using Vector = LimbVector<L>;
     using Corners = std::array<Vector, 3>;
 
-    // `end` is infinity or any number >= 0. The arguments must outlive the decision.
+    // `end` is infinity or any number >= 0. The references d and corners must remain valid while the object is used.
     LineTriangle(const Vector& d, const Corners& corners, double end) noexcept : d_(d), corner_(corners), end_(end) {}
 
-    // Sets `hit` and returns true if line and triangle share a point.
+    // Returns true and sets `hit` if line and triangle share a point; otherwise returns false, and `hit` has no
+    // meaning.
     bool find(LineHit& hit) const noexcept {
         if (is_zero_vector<L>(d_)) return find_point(hit);
         const Weights weights = find_weights();
@@ -59,7 +61,7 @@ class LineTriangle {
             least = std::min(least, signs[i]);
         }
         if (most > 0 && least < 0) return false;
-        // All corners are on one line when seen along d: line and triangle are in one plane.
+        // Seen along d, all corners are on one line through the origin, so line and triangle are in one plane.
         if (most == 0 && least == 0) return find_in_plane(hit);
         hit.facing = most + least;
         hit.is_along = false;
@@ -70,8 +72,8 @@ class LineTriangle {
         return true;
     }
 
-    // Sets the parameter of the point in which the line crosses the plane, and returns the sign of n . d. The caller
-    // must know that the line crosses the plane, and not before its beginning.
+    // Sets `at` to the parameter of the point in which the line crosses the triangle's plane, and returns the sign of n
+    // . d. The line must cross the plane, at a parameter that is not negative.
     int find_crossing(Fraction& at) const noexcept {
         const LimbVector<2 * L> n = normal();
         const Magnitude<3 * L> den = dot<2 * L, L>(n, d_);
@@ -80,14 +82,15 @@ class LineTriangle {
     }
 
   private:
-    // A parameter that may be negative.
+    // A parameter of the line; it may be negative.
     using Ratio = exact::Ratio<2 * L>;
-    // Holds the interval of the line that is on an edge.
+    // The parameters of the line's points on an edge: the interval [low, high], or none.
     struct Part {
         bool is_empty = true;
         Ratio low, high;
     };
-    // Holds the parameters of corners on the line, and the parts of edges, which begin at corners of the same index.
+    // corner[i] is the parameter of corner i if has_corner[i] (it is on the line); edge[i] is the part of the edge from
+    // corner i.
     struct Parts {
         std::array<bool, 3> has_corner{};
         std::array<Ratio, 3> corner;
@@ -100,14 +103,14 @@ class LineTriangle {
         return x.sign() < 0 ? -1 : exact::compare(x.size(), y.ref());
     }
 
-    // Sets the fraction num / den, which must not be negative.
+    // Sets `to` to num / den, which must not be negative.
     template <int M>
     static void set(Fraction& to, const Magnitude<M>& num, const Magnitude<M>& den) noexcept {
         to.num.assign(num.limbs);
         to.den.assign(den.limbs);
     }
 
-    // Returns the axis of a component that is not zero.
+    // Returns an axis on which v is not zero. v must not be the zero vector.
     template <int M>
     static std::size_t axis_of(const LimbVector<M>& v) noexcept {
         std::size_t axis = 0;
@@ -123,15 +126,16 @@ class LineTriangle {
 
     using Weights = std::array<Magnitude<3 * L>, 3>;
 
-    // Returns the barycentric weights of the corners, times n . d.
+    // Returns the barycentric coordinates of the crossing with the plane, times n . d.
     Weights find_weights() const noexcept {
         const LimbVector<2 *L> dp = cross<L>(d_, corner_[0]), dq = cross<L>(d_, corner_[1]);
         return {dot<2 * L, L>(dq, corner_[2]), negated<3 * L>(dot<2 * L, L>(dp, corner_[2])),
                 dot<2 * L, L>(dp, corner_[1])};
     }
 
-    // Sets the parameter of the point in which the line crosses the plane, as a fraction of the shortest numbers, and
-    // returns true; or returns false if the parameter is negative. The feature must have been set.
+    // Sets hit.enter to the parameter of the crossing with the plane, as a fraction of numbers that are as short as
+    // possible, and returns true. Returns false if the parameter is negative. hit.feature and hit.corner must have been
+    // set.
     bool set_crossing(const Weights& weights, LineHit& hit) const noexcept {
         if (hit.feature == Feature::Kind::vertex) return set(hit.enter, on_line(corner_[hit.corner]));
         if (hit.feature == Feature::Kind::edge) {
@@ -140,7 +144,7 @@ class LineTriangle {
             const std::size_t axis = axis_of<2 * L>(de);
             return set(hit.enter, {cross<L>(p, e)[axis], de[axis]});
         }
-        // Uses n . p = p . (q x r); n . d is the sum of the weights.
+        // n . p is computed as p . (q x r), and n . d as the sum of the weights.
         const Magnitude<3 * L> num = dot<2 * L, L>(cross<L>(corner_[1], corner_[2]), corner_[0]);
         if (sign<3 * L>(num) * hit.facing < 0) return false;
         Magnitude<3 * L> den = weights[0];
@@ -154,7 +158,8 @@ class LineTriangle {
         return true;
     }
 
-    // Names the inside of the edge opposite to the corner whose weight is 0, or the only corner whose weight is not 0.
+    // Sets hit.feature and hit.corner from the signs of the barycentric coordinates: none zero, the face; one zero, the
+    // edge opposite to that corner; two zero, the third corner.
     static void name_feature(const std::array<int, 3>& weights, LineHit& hit) noexcept {
         std::uint32_t zeros = 0, at_zero = 0, at_weight = 0;
         for (std::uint32_t i = 0; i < 3; ++i) {
@@ -233,14 +238,15 @@ class LineTriangle {
         }
     }
 
-    // Returns the parameter of a point of the line.
+    // Returns the parameter of p, which must be on the line.
     Ratio on_line(const Vector& p) const noexcept {
         const std::size_t axis = axis_of<L>(d_);
         return {widened<2 * L>(p[axis]), widened<2 * L>(d_[axis])};
     }
 
-    // Sets `part` to the point in which the line crosses the open edge from p to q, neither of which is on the line.
-    // With e = q - p, s d = p + t e: its cross products with e and with d are s (d x e) = p x e and t (d x e) = p x d.
+    // Sets `part` to the point in which the line crosses the open edge from p to q; leaves it empty if there is none.
+    // Neither p nor q is on the line. With e = q - p, s d = p + t e: its cross products with e and with d are s (d x e)
+    // = p x e and t (d x e) = p x d.
     void find_crossing(const Vector& p, const Vector& q, Part& part) const noexcept {
         const Vector e = minus(q, p);
         const LimbVector<2 * L> de = cross<L>(d_, e);
@@ -252,7 +258,7 @@ class LineTriangle {
         part = {false, s, s};
     }
 
-    // Decides a line that is the single point 0.
+    // Does the work of find() for a line that is a single point, the origin.
     bool find_point(LineHit& hit) const noexcept {
         const LimbVector<2 * L> n = normal();
         if (sign<3 * L>(dot<2 * L, L>(n, corner_[0])) != 0) return false;

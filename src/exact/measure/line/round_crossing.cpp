@@ -13,24 +13,25 @@ namespace ecods::exact {
 namespace {
 
 constexpr int coordinate_bits = TwoLimbKernel::coordinate_bits;
-constexpr int normal_bits = 126;  // bits that are kept of n
+constexpr int normal_bits = 126;  // number of leading bits of n that are kept
 static_assert(difference_bits(coordinate_bits) <= 127 && minor_bits(coordinate_bits) <= 255);
 static_assert(normal_bits + coordinate_bits + 2 <= 255, "a sum of three products fits 256 bits with its sign");
 
-// A sum must be longer than the bound of its error by at least this many digits.
+// A sum must have at least this many digits more than its error bound.
 constexpr int digits_min = 70;
 
 int width_of(const IntegerVector& p) noexcept {
     return bit_width(size_of(p[0]) | size_of(p[1]) | size_of(p[2]));
 }
-// Returns the number of digits of x or, if x is negative, of its complement: at most one less than |x| has.
+// Returns the number of digits of x, or of its complement if x is negative: equal to the number of digits of |x|, or
+// one less.
 int width_of(const Int256& x) noexcept {
     const auto sign = static_cast<Uint128>(x.high >> 127);
     const Uint128 high = static_cast<Uint128>(x.high) ^ sign, low = x.low ^ sign;
     return high != 0 ? 128 + bit_width(high) : bit_width(low);
 }
 
-// Holds n / 2^shift, rounded down, with as many digits as are kept.
+// Holds n / 2^shift, rounded down to normal_bits leading digits.
 struct Normal {
     IntegerVector n;
     int shift;
@@ -43,14 +44,15 @@ Normal normal_of(const std::array<IntegerVector, 3>& corners) noexcept {
     return {shifted(n, shift), shift};
 }
 
-// Holds the leading digits of a sum = digits 2^exponent, rounded down; 0 if the sum is zero or too short to be known.
+// Holds the leading digits of a sum, rounded towards zero: the sum is about digits 2^exponent. digits is 0 if the sum
+// is zero, or so short that its error is too large.
 struct LeadingDot {
     Uint128 digits = 0;
     int exponent = 0;
     bool is_negative = false;
 };
 
-// Returns `count` <= 127 leading digits of n . p. If n was cut, each coordinate of n is off by less than 1, and n . p
+// Returns `count` <= 127 leading digits of n . p. If shift > 0, each coordinate of n is off by less than 1, and n . p
 // by less than 2^(width of p + 2).
 LeadingDot leading_of_dot(const Normal& normal, const IntegerVector& p, int count) noexcept {
     const IntegerVector& n = normal.n;
@@ -63,16 +65,16 @@ LeadingDot leading_of_dot(const Normal& normal, const IntegerVector& p, int coun
     return {static_cast<Uint128>(shifted(sum, exponent)), exponent, is_negative};
 }
 
-// Holds a range of positive numbers, from digits 2^exponent to (digits + width) 2^exponent.
+// An interval of positive numbers, from digits 2^exponent to (digits + width) 2^exponent.
 struct Between {
     Uint128 digits;
     Uint128 width;
     int exponent;
 };
 
-// Sets the double nearest to all numbers of a range and returns true; or returns false if there is no such double, or
-// it is not a normal number. Numbers above the half-way point after `kept`, up to the next half-way point, are rounded
-// to kept + 1, even if kept + 1 is a power of two, above which doubles are farther apart.
+// Sets `rounded` and returns true if all numbers of the interval round to the same normal double. Otherwise returns
+// false. All numbers between the half-way points below and above kept + 1 round to kept + 1. This also holds if kept +
+// 1 is a power of two, above which doubles are farther apart.
 bool round_between(const Between& x, double& rounded) noexcept {
     const int drop = bit_width(x.digits) - mantissa_bits;
     if (drop < 2) return false;
@@ -87,12 +89,12 @@ bool round_between(const Between& x, double& rounded) noexcept {
     }
     const int biased = x.exponent + drop + (mantissa_bits - 1) + 1023;
     if (biased < 1 || biased > 2045) return false;
-    // The leading one of `kept` counts in the exponent, and so does a carry.
+    // The leading one of `kept` adds one to the exponent, and so does a carry.
     rounded = std::bit_cast<double>((static_cast<std::uint64_t>(biased - 1) << 52) + kept);
     return true;
 }
 
-// Rounds a number of either sign, from `low` to `high` times 2^exponent.
+// Does the same for the interval from low 2^exponent to high 2^exponent, of numbers of either sign.
 bool round_between(Int128 low, Int128 high, int exponent, double& rounded) noexcept {
     const auto width = static_cast<Uint128>(high) - static_cast<Uint128>(low);
     if (low > 0) return round_between({static_cast<Uint128>(low), width, exponent}, rounded);
@@ -101,11 +103,12 @@ bool round_between(Int128 low, Int128 high, int exponent, double& rounded) noexc
     return true;
 }
 
-// Rounds the sum of x, a double, and s d 2^unit, for s from digits 2^exponent to (digits + width) 2^exponent.
+// Sets `rounded` to x + s d 2^unit, rounded once, for all s in the interval from digits 2^exponent to (digits + width)
+// 2^exponent. Returns false if these do not all round to one double.
 //
-// Let m be the 63 leading digits of d: d is from m to m + 1, so the product is from digits m to digits m + width
-// (m + 1) + digits. Product and x are then counted in units that leave the longer of them at most 120 digits: dropping
-// digits makes a size smaller by less than 1. All numbers stay below 2^122.
+// Let m be the 63 leading digits of |d|: |d| is between m and m + 1 units. So the product is between digits m and
+// digits m + width (m + 1) + digits. Product and x are then converted to a common unit, in which the longer of them has
+// at most 120 digits. Dropping digits makes a magnitude smaller by less than 1. All numbers stay below 2^122.
 bool round_coordinate(double x, Int128 d, int unit, std::uint64_t digits, std::uint64_t width, int exponent,
                       double& rounded) noexcept {
     const Dyadic from = decode(x);
@@ -123,7 +126,7 @@ bool round_coordinate(double x, Int128 d, int unit, std::uint64_t digits, std::u
     const int top_of_x = from.m == 0 ? e : from.e + static_cast<int>(std::bit_width(magnitude(from.m)));
     const int common = std::max(e + bit_width(product), top_of_x) - bits_max;
     const auto in_common = [&](Uint128 y, int of) -> Uint128 {
-        if (y == 0) return 0;  // in any unit
+        if (y == 0) return 0;  // zero is 0 in any unit
         if (of >= common) return y << (of - common);
         return common - of < 128 ? y >> (common - of) : 0;
     };
@@ -138,11 +141,12 @@ bool round_coordinate(double x, Int128 d, int unit, std::uint64_t digits, std::u
 
 }  // namespace
 
-// Bound. If n was cut, n . p and n . d have relative errors of at most 2^-69: leading_of_dot returns only sums of at
-// least 2^(digits_min - 1) times their error bounds. The quotient q of 127 digits of n . p by 64 digits of n . d has 63
-// or 64 digits. Its divisor is too small by a relative error below 2^-63, which makes q too large by less than 2, and
-// rounding down makes q too small by less than 1. The sums' errors and the digits that the dividend lost are below 2^-4
-// of a unit. So the true quotient is between q - 3 and q + 2.
+// Error bound. If n was cut, n . p and n . d have relative errors of at most 2^-69: leading_of_dot() returns only sums
+// of at least 2^(digits_min - 1) times their error bounds. The quotient q of 127 digits of n . p by 64 digits of n . d
+// has 63 or 64 digits. Its divisor is too small by a relative error below 2^-63, which makes q too large by less than
+// 2; rounding down makes q too small by less than 1. The errors of both sums, and the dropped digits of the dividend,
+// change q by less than 2^-4. So the true quotient is between q - 3 and q + 2.
+// Claim: verify/proofs/fixed_digits.py
 bool round_crossing(const LineInUnits& line, const std::array<IntegerVector, 3>& corners,
                     RoundedCrossing& result) noexcept {
     const Normal n = normal_of(corners);

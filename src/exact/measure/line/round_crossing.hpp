@@ -1,4 +1,5 @@
-// round_crossing rounds the point in which a line crosses a triangle's face, once, from leading digits if they suffice.
+// round_crossing computes the point in which a line crosses a triangle's face, rounded once, from leading digits if
+// these suffice.
 #pragma once
 
 #include <array>
@@ -9,23 +10,23 @@
 
 namespace ecods::exact {
 
-// Holds a line's beginning, in world coordinates, and its direction in units of 2^unit. The corners of a triangle that
-// go with it are relative to the beginning, in the same units.
+// from: the beginning of the line, in world coordinates. direction: in units of 2^unit. The corners of triangles are
+// given relative to `from`, in the same units.
 struct LineInUnits {
     Vec3 from;
     TwoLimbKernel::Point direction;
     int unit = 0;
 };
 
-// Holds the crossing's parameter and point, rounded like round_on_line(), and the sign of n . d as in line_hit.hpp.
+// at: the crossing's parameter and point, rounded as by round_on_line(). facing: the sign of n . d, as in line_hit.hpp.
 struct RoundedCrossing {
     RoundedOnLine at;
     int facing = 0;
 };
 
-// Sets `result` and returns true; or returns false if leading digits leave a rounding open, as for numbers half-way
-// between two doubles. The caller must know that the line crosses the triangle's plane, at a positive parameter. Uses
-// integers alone: the floating-point environment has no effect. Cost: a third of the exact fraction and its rounding.
+// Sets `result` and returns true. Returns false if leading digits do not determine the rounding, for example of numbers
+// half-way between two doubles. The line must cross the triangle's plane, at a positive parameter. The floating-point
+// environment has no effect, because only integers are used. Cost: a third of the exact fraction and its rounding.
 bool round_crossing(const LineInUnits& line, const std::array<TwoLimbKernel::Point, 3>& corners,
                     RoundedCrossing& result) noexcept;
 

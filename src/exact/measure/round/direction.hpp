@@ -1,4 +1,4 @@
-// Unit vectors along vectors of integers are rounded once.
+// round_direction computes unit vectors of integer vectors. Each coordinate is rounded once.
 #pragma once
 
 #include "ecods/pose.hpp"
@@ -8,7 +8,7 @@
 
 namespace ecods::exact {
 
-// Returns v / |v|, or its negative if is_turned. Each coordinate is rounded once to the nearest double, ties to even; a
+// Returns v / |v|, or -v / |v| if is_turned. Each coordinate is rounded once to the nearest double, ties to even; a
 // zero is +0. v must not be zero.
 template <int M>
 Vec3 round_direction(const LimbVector<M>& v, bool is_turned = false) noexcept {

@@ -8,7 +8,8 @@
 namespace ecods::exact {
 namespace {
 
-// Returns the coordinate R v + t + num / den, as the sum of products with the denominator, over the denominator.
+// Returns coordinate `row` of R v + t + num / den 2^unit, rounded once. It is computed as a sum of products with den,
+// divided by den.
 double round_coordinate(const PointRef& origin, int row, const ExactPoint& point) noexcept {
     const ExactPoint::Coordinate& num = point.num[static_cast<std::size_t>(row)];
     const NaturalSpan den = point.den.limbs();

@@ -1,4 +1,4 @@
-// An ExactPoint has rational coordinates, and is rounded to doubles once.
+// An ExactPoint is a point with rational coordinates; round_point() rounds these once.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace ecods::exact {
 
-// Holds num / den * 2^unit by axis, relative to the first corner of the first triangle. Numerators have five factors: a
-// weight of four and a difference.
+// The coordinates are num / den * 2^unit, relative to the first corner of the first triangle. A numerator has the
+// length of five coordinates: it is a sum of products of a weight (four) and a difference (one).
 struct ExactPoint {
     struct Coordinate {
         Natural<5 * limb_count_max> size;
@@ -21,8 +21,8 @@ struct ExactPoint {
     int unit = 0;
 };
 
-// Returns the point in the world, each coordinate rounded once to the nearest double, ties to even; a zero is +0.
-// `origin` is the corner that the point is relative to.
+// Returns the point in world coordinates, each rounded once to the nearest double, ties to even; a zero is +0. `origin`
+// is the corner that the point is relative to.
 Vec3 round_point(const PointRef& origin, const ExactPoint& point) noexcept;
 
 }  // namespace ecods::exact

@@ -1,10 +1,11 @@
-// Lengths are computed from the leading digits x of a vector: the largest coordinate has 126, and each coordinate is
-// off by less than `error`. Then 2^125 <= |x| < 2^127, and |x| is off by less than sqrt(3) error, a relative error
-// below 2^-124 error.
+// Lengths are computed from the leading digits x of a vector: the largest coordinate of x has 126 digits, and each
+// coordinate is off by less than `error`. Then 2^125 <= |x| < 2^127, and |x| is off by less than sqrt(3) error, which
+// is a relative error below 2^-124 error.
 //
-// A result has 128 leading digits, which are below 2^128, and errors are counted in units of the last one. A relative
-// error of 2^-94, as in inverse_root, is below 2^34 units, and a relative error of 2^-124 error is below 16 error
-// units.
+// A result has 128 leading digits, so it is below 2^128 units of its last digit, and errors are counted in these units.
+// A relative error of 2^-94, as of inverse_root(), is below 2^34 units, and a relative error of 2^-124 error is below
+// 16 error units.
+// Claim: verify/proofs/fixed_digits.py
 #include "exact/measure/round/fixed_length.hpp"
 
 #include "exact/measure/round/fixed_digits.hpp"
@@ -18,7 +19,8 @@ struct Leading {
     Uint128 error = 0;
 };
 
-// Returns the leading digits of v; nothing if v is zero, or so short that the error would be 2^57 or more.
+// Returns the leading digits of v, whose coordinates are off by less than `error`. Returns nullopt if v is zero, or so
+// short that the scaled error could be 2^57 or more.
 std::optional<Leading> leading(const IntegerVector& v, int error) noexcept {
     const int width = bit_width(largest(v));
     if (width == 0) return std::nullopt;
@@ -27,7 +29,8 @@ std::optional<Leading> leading(const IntegerVector& v, int error) noexcept {
     return Leading{{v[0] << up, v[1] << up, v[2] << up}, -up, static_cast<Uint128>(error) << up};
 }
 
-// Returns the leading digits of w x u, from coordinates that are off by w_error and u_error.
+// Returns the leading digits of w x u; coordinates of w and u are off by w_error and u_error. Returns nullopt if the
+// product is zero, or too short for its error.
 std::optional<Leading> leading_product(const IntegerVector& w, const IntegerVector& u, int w_error,
                                        int u_error) noexcept {
     const WideVector product = cross(w, u);
@@ -36,7 +39,8 @@ std::optional<Leading> leading_product(const IntegerVector& w, const IntegerVect
     const int shift = width - 126;
     Leading result{shifted(product, shift), shift, shift > 0 ? Uint128{1} : 0};
     if (w_error != 0 || u_error != 0) {
-        // A coordinate is a difference of two products, each off by |w| u_error + |u| w_error + u_error w_error.
+        // A coordinate is a difference of two products; each product is off by |w| u_error + |u| w_error + u_error
+        // w_error.
         const Int256 one = multiply(static_cast<Int128>(largest(w)) + w_error, u_error) +
                            multiply(static_cast<Int128>(largest(u)), w_error);
         const Int256 both = one + one;
@@ -46,8 +50,8 @@ std::optional<Leading> leading_product(const IntegerVector& w, const IntegerVect
     return result;
 }
 
-// Returns |x| 2^125 = (s / 2^127) (2^252 / sqrt(s)) for s = |x|^2. The relative errors are 2^-94 from inverse_root and
-// 2^-123 from dropping the last 127 digits of s.
+// Returns |x| 2^125 = (s / 2^127) (2^252 / sqrt(s)), where s = |x|^2. The relative errors are 2^-94 from
+// inverse_root(), and 2^-123 from dropping the last 127 digits of s.
 Int256 length_of(const IntegerVector& x) noexcept {
     const Int256 s = square_of(x);
     return multiply_halves(static_cast<Uint128>(shifted(s, 127)), inverse_root(s));
@@ -66,8 +70,7 @@ std::optional<double> fixed_length(const IntegerVector& w, int unit, bool is_exa
     return rounded ? std::optional(at_least_subnormal(*rounded)) : std::nullopt;
 }
 
-// Returns |w x u| / |u|. The length |w x u| is cut to 127 digits before the division, a relative error of at most
-// 2^-126.
+// Returns |w x u| / |u|. |w x u| is cut to 127 digits before the division: a relative error of at most 2^-126.
 std::optional<double> fixed_distance_from_line(const IntegerVector& w, const IntegerVector& u, int unit,
                                                bool is_exact) noexcept {
     const int error = is_exact ? 0 : 5;

@@ -1,5 +1,5 @@
-// Quotients by square roots are computed in fixed precision with an error bound, and rounded if the whole range rounds
-// to one double. It mostly does, since the range is some 2^-90 of the number.
+// Quotients by square roots are computed as intervals, in fixed precision, and rounded if all numbers of the interval
+// round to the same double. Most intervals do, because their width is about 2^-90 of the number.
 #include "exact/measure/round/fixed_plane.hpp"
 
 #include <algorithm>
@@ -58,9 +58,9 @@ void FixedPlane::find_normal() noexcept {
     short_n_ = shifted(n_, shift);
     error_ = shift > 0 ? 1 : 0;
     if (!is_exact_) {
-        // Edges u and v are off by 10 units, so their product is off by 2 (10 |u| + 10 |v| + 100).
+        // The edges u and v are off by 10 units, so their cross product is off by 2 (10 |u| + 10 |v| + 100).
         const Int256 error = exact::multiply(static_cast<Int128>(largest(u) + largest(v) + 10), 20);
-        // For short edges the error may be about as large as the normal.
+        // If edges are short, the error may be almost as large as the normal: then nothing is known of the normal.
         is_open_ = bit_width(error) - shift > 96;
         if (is_open_) return;
         error_ = static_cast<Uint128>(shifted(error, shift)) + 2;
@@ -75,8 +75,8 @@ void FixedPlane::find_height() noexcept {
         height_ = height_ + exact::multiply(short_n_[k], m_[0][k]);
         size = std::max(size, size_of(m_[0][k]));
     }
-    // Each of three products is off by error_ (|m| + 5) + 5 * 2^126: |short_n_| < 2^126 is off by error_, and m by 5
-    // units unless points are exact.
+    // height_ is a sum of three products. Each is off by error_ (|m| + 5) + 5 * 2^126: |short_n_| < 2^126 is off by
+    // error_, and m by 5 units unless points are exact.
     const Int128 points = is_exact_ ? 0 : 5;
     const Int256 one = exact::multiply(static_cast<Int128>(error_), static_cast<Int128>(size) + points) +
                        exact::multiply(points, Int128{1} << 126);
@@ -100,16 +100,18 @@ std::optional<int> FixedPlane::side() const noexcept {
     return sign_along(m_[0]);
 }
 
-// Returns size / |short_n_| * 2^exponent, where `size` < 2^127 is off by `error`.
+// Returns size / |short_n_| * 2^exponent as an interval. `size` must be below 2^127, and is off by `error`. Returns
+// nullopt if the interval would be too wide.
 //
-// Let P = size root_, whose leading 128 digits are the result's. P is off by 2^127 for each unit of error in size. Its
-// relative errors are 2^-94 from root_ and 2^-124 error_ from |short_n_|, which is at least 2^125 and off by sqrt(3)
-// error_.
+// Let P = size root_; its leading 128 digits are the digits of the result. P is off by 2^127 for each unit of error in
+// size. Its relative errors are 2^-94 from root_ and 2^-124 error_ from |short_n_|, which is at least 2^125 and off by
+// sqrt(3) error_.
+// Claim: verify/proofs/fixed_digits.py
 auto FixedPlane::quotient(Uint128 size, Uint128 error, int exponent) const noexcept -> std::optional<FixedDigits> {
     if (is_open_ || size == 0 || error >> 64 != 0 || error_ >> 64 != 0) return std::nullopt;
     const Int256 product = exact::multiply_halves(size, root_);
     const int drop = bit_width(product) - 128;
-    const int up = 127 - drop;  // scales an error of size to the result
+    const int up = 127 - drop;  // shift from the unit of `size` to the unit of the result
     if (up > 0 && error != 0 && exact::bit_width(error) + up > 100) return std::nullopt;
     const Uint128 of_size = up > 0 ? (error != 0 ? error << up : 0) : (error >> std::min(-up, 127)) + 1;
     const Uint128 total = of_size + (Uint128{1} << 34) + (error_ << 4) + 2;

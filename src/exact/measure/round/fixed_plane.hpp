@@ -1,10 +1,10 @@
-// A FixedPlane is a plane through three vertices of a Minkowski difference, in integers of 128 and 256 bits: its
-// distance from the origin and its unit normal are rounded once if the rounding is certain.
+// A FixedPlane is a plane through three vertices of a Minkowski difference, in integers of 128 and 256 bits. Its
+// distance from the origin and its unit normal are rounded once, if the rounding is certain.
 //
-// With IntegerFrame::is_exact() points and normals are exact. Otherwise a coordinate of a difference m is off by less
-// than 5 units, and a coordinate of an edge by 10. Points are below 2^122 and their differences below 2^123 in
-// magnitude, so edges of the Minkowski difference are below 2^124, and products of two edges below 2^249: 256 bits hold
-// them.
+// If IntegerFrame::is_exact(), points and normals are exact. Otherwise a coordinate of a difference m of two points is
+// off by less than 5 units, and a coordinate of an edge by less than 10. Points are below 2^122 and their differences
+// below 2^123 in magnitude. So edges of the Minkowski difference are below 2^124, and products of two edges below
+// 2^249, which fit into 256 bits.
 #pragma once
 
 #include <array>
@@ -21,30 +21,33 @@ class FixedPlane {
   public:
     using Vector = exact::IntegerVector;
 
-    // Takes three differences of vertices, counterclockwise from outside; their coordinates are multiples of 2^unit.
+    // m: three vertices of the Minkowski difference, counterclockwise as seen from outside. Their coordinates are
+    // integers times 2^unit.
     FixedPlane(const std::array<Vector, 3>& m, int unit, bool is_exact) noexcept;
 
-    // Returns the sign of the product of the normal with v, a difference of two points. Needs exact points.
+    // Returns the sign of the dot product of the normal and v, which is a difference of two points. Call only if
+    // is_exact.
     int sign_along(const Vector& v) const noexcept;
 
-    // Returns the sign of the distance, negative if the origin is beyond the plane; nothing if the sign is not certain.
+    // Returns the sign of the distance, which is negative if the origin is on the plane's outer side; nullopt if the
+    // sign is not certain.
     std::optional<int> side() const noexcept;
 
-    // Returns the distance, rounded, at least 2^-1074 if it is positive; nothing if its rounding is not certain. Needs
-    // a certain side().
+    // Returns the distance, rounded, and at least 2^-1074 if it is positive; nullopt if its rounding is not certain.
+    // Call only if side() is certain.
     std::optional<double> distance() const noexcept;
-    // Returns the unit normal, each coordinate rounded; nothing if a rounding is not certain.
+    // Returns the unit normal, each coordinate rounded once; nullopt if a rounding is not certain.
     std::optional<Vec3> direction() const noexcept;
 
-    // Returns 1, 0 or -1 if this plane is further from the origin than the other, as far, or less far; nothing if that
-    // is not certain. The origin must not be on the outer side of either plane.
+    // Compares the distances from the origin: returns 1, 0 or -1 if this plane's is greater, equal or less than the
+    // other's; nullopt if this is not certain. The origin must not be on the outer side of either plane.
     std::optional<int> compare(const FixedPlane& other) const noexcept;
 
   private:
     void find_normal() noexcept;
     void find_height() noexcept;
     std::optional<FixedDigits> quotient(exact::Uint128 size, exact::Uint128 error, int exponent) const noexcept;
-    std::optional<FixedDigits> digits() const noexcept;  // the digits of the distance
+    std::optional<FixedDigits> digits() const noexcept;  // |distance| as an interval
 
     std::array<Vector, 3> m_;
     int unit_;
@@ -52,10 +55,10 @@ class FixedPlane {
     bool is_open_ = false;  // true if nothing is known of the normal
     int axis_ = -1;
     std::array<exact::Int256, 3> n_;          // the normal
-    std::array<exact::Int128, 3> short_n_{};  // its leading digits: the largest has 126, off by less than error_
+    std::array<exact::Int128, 3> short_n_{};  // 126 leading digits of n_; off by less than error_
     exact::Uint128 error_ = 0;
     exact::Uint128 root_ = 0;  // 2^252 / |short_n_|, with a relative error of at most 2^-94
-    exact::Int256 height_{};   // short_n_ . m
+    exact::Int256 height_{};   // short_n_ . m_[0]
     exact::Int256 height_error_{};
 };
 

@@ -21,18 +21,18 @@ Uint128 two_limbs(NaturalSpan a) noexcept {
     return (a.size() > 1 ? Uint128{a[1]} << 64 : 0) | (a.empty() ? 0 : a[0]);
 }
 
-// Returns m * 2^shift, shift >= 0. The result must fit.
+// Returns m * 2^shift. shift must be >= 0, and the result must fit into 256 bits.
 Int256 shifted(Int128 m, int shift) noexcept {
     if (shift >= 128) return {0, m << (shift - 128)};
     return {static_cast<Uint128>(m) << shift, shift == 0 ? m >> 127 : m >> (128 - shift)};
 }
 
-// Sets `rounded` to the double nearest to from + along * s, where s = (digits + rest) 2^exponent, 0 <= rest < 1, and
-// returns true; or returns false if the digits leave the nearest double open.
+// Sets `rounded` to the double nearest to from + along * s and returns true. s = (digits + rest) 2^exponent, 0 <= rest
+// < 1. Returns false if the digits do not determine the nearest double.
 //
-// With along = m 2^e and |m| < 2^64, the sum lies between from + digits m 2^(e + exponent) and m units of
-// 2^(e + exponent) further on. Rounding is monotone: if both ends round to one double, so does the sum. Products are
-// below 2^192, and numbers added to them below 2^250.
+// Let along = m 2^e, |m| < 2^64. The sum lies between from + digits m 2^(e + exponent) and that number plus m 2^(e +
+// exponent). Rounding is monotone: if both ends round to the same double, so does the sum. Products are below 2^192,
+// and numbers added to them below 2^250.
 bool round_from_digits(const Dyadic& from, const DyadicDifference& along, const LeadingDigits& s,
                        double& rounded) noexcept {
     const Uint128 size = size_of(along.m);
@@ -73,7 +73,8 @@ Fraction fraction_of(double x) noexcept {
     return result;
 }
 
-// Compares fractions of 3k + 6 bits by products of 6k + 12 bits. Bit widths alone decide most of the time.
+// Compares two fractions by the cross products of numerators and denominators: numbers of 3k + 6 bits give products of
+// 6k + 12 bits. Usually the numbers' bit widths suffice.
 int compare(const FractionRef& first, const FractionRef& second) noexcept {
     if (first.num.empty() || second.num.empty()) {
         return static_cast<int>(!first.num.empty()) - static_cast<int>(!second.num.empty());

@@ -1,4 +1,4 @@
-// Fractions of integers that are not negative are parameters along a line, or times.
+// A Fraction is a rational number >= 0, for parameters of a line and for times.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@
 
 namespace ecods::exact {
 
-// Numerators and denominators are determinants of three differences of points, or shorter.
+// The largest number of limbs of a numerator or denominator: they are determinants of three differences of points, or
+// shorter.
 inline constexpr std::size_t fraction_limbs = 3 * limb_count_max;
 static_assert(determinant_bits(LimbKernel<limb_count_max>::coordinate_bits) <= static_cast<int>(64 * fraction_limbs));
 
-// Refers to the fraction num / den, den > 0.
+// Refers to the two parts of a fraction num / den, den > 0.
 struct FractionRef {
     NaturalSpan num;
     NaturalSpan den;
 };
 
-// Holds the fraction num / den, den > 0.
+// Holds a fraction num / den, den > 0.
 struct Fraction {
     Natural<fraction_limbs> num;
     Natural<fraction_limbs> den{1};
@@ -29,7 +30,7 @@ struct Fraction {
     FractionRef ref() const noexcept { return {num.limbs(), den.limbs()}; }
 };
 
-// Holds the ratio num / den of either sign, den not zero.
+// Holds a fraction num / den of either sign. den may be negative, but not zero.
 template <int L>
 struct Ratio {
     Magnitude<L> num, den;
@@ -41,11 +42,11 @@ struct Ratio {
     FractionRef size() const noexcept { return {without_leading_zeros(num.limbs), without_leading_zeros(den.limbs)}; }
 };
 
-// Converts a double that is finite and not negative. The denominator of 2^-1074 has 17 limbs; no numerator has more
+// Converts x exactly. x must be finite and not negative. The denominator of 2^-1074 has 17 limbs; no numerator has more
 // than 16.
 Fraction fraction_of(double x) noexcept;
 
-// Returns the sign of the first less the second, or less the double x >= 0, which may be infinity.
+// Return the sign of first - second, or of first - x. x must be >= 0, and may be infinity.
 int compare(const FractionRef& first, const FractionRef& second) noexcept;
 int compare(const FractionRef& first, double x) noexcept;
 template <int L>
@@ -55,12 +56,13 @@ int compare(const Ratio<L>& x, const Ratio<L>& y) noexcept {
     return a * compare(x.size(), y.size());
 }
 
-// Returns the nearest double, ties to even; at least 2^-1074 if x is positive, infinity above the largest double. The
-// floating-point environment has no effect.
+// Returns the double nearest to x, ties to even: at least 2^-1074 if x is positive, and infinity if x is above the
+// largest double. The floating-point environment has no effect.
 double round_fraction(const FractionRef& x) noexcept;
 
-// Holds a parameter of a line, and its point a + (b - a) num / den, or a + b num / den if `is_direction`. Each number
-// is rounded once to the nearest double, ties to even; a zero is +0, and a positive parameter at least 2^-1074.
+// A parameter num / den of a line, and the point there: a + (b - a) num / den, or a + b num / den if `is_direction`.
+// Each number is rounded once to the nearest double, ties to even. A zero is +0, and a positive parameter is rounded to
+// at least 2^-1074.
 struct RoundedOnLine {
     double parameter = 0;
     Vec3 point = Vec3::Zero();

@@ -1,4 +1,5 @@
-// A LimbVector is a vector of integers as sign and magnitude. Products must fit: their users assert the widths.
+// A LimbVector is a vector of integers, each stored as sign and magnitude. Callers must make sure that products fit, by
+// assertions about widths.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ Magnitude<L> negated(Magnitude<L> a) noexcept {
     return a;
 }
 
-// Widens a number to M limbs.
+// Returns x with M limbs instead of L.
 template <int M, int L>
 Magnitude<M> widened(const Magnitude<L>& x) noexcept {
     static_assert(M >= L);
@@ -27,7 +28,7 @@ Magnitude<M> widened(const Magnitude<L>& x) noexcept {
     return result;
 }
 
-// Adds a * b to the sum, or subtracts it if `negative` is all_ones.
+// Adds a * b to `sum`, or subtracts it if `negative` is all_ones.
 template <int A, int B>
 inline void add_product(Limbs<A + B>& sum, const Magnitude<A>& a, const Magnitude<B>& b,
                         std::uint64_t negative = 0) noexcept {
@@ -74,7 +75,7 @@ bool is_zero_vector(const LimbVector<L>& a) noexcept {
     return is_zero<L>(a[0].limbs) && is_zero<L>(a[1].limbs) && is_zero<L>(a[2].limbs);
 }
 
-// True if a and b are parallel, or one of them is zero.
+// True if a and b are parallel, or at least one of them is zero.
 template <int L>
 bool is_parallel(const LimbVector<L>& a, const LimbVector<L>& b) noexcept {
     return is_zero_vector<2 * L>(cross<L>(a, b));

@@ -12,17 +12,17 @@
 namespace ecods::exact {
 namespace {
 
-// A sum must hold the terms of a point (exact_point.hpp): the terms of R v + t times a denominator, and numerators. All
-// terms are multiples of 2^-2148 below 2^2050 times the denominator: limb_count_max limbs besides the denominator's,
-// and a bit for the sign. Terms of a point on a line (fraction.hpp) are products of a double, a multiple of 2^-1074
-// below 2^1024, and a number of fraction_limbs.
+// The largest length of a sum. It must hold the terms of a point (exact_point.hpp): the terms of R v + t times a
+// denominator, and numerators. All terms are multiples of 2^-2148 below 2^2050 times the denominator: limb_count_max
+// limbs more than the denominator has, and a bit for the sign. It must also hold the terms of a point on a line
+// (fraction.hpp), which are products of a double, a multiple of 2^-1074 below 2^1024, and a number of fraction_limbs.
 constexpr std::size_t sum_limbs = 5 * limb_count_max + 2;
 static_assert(fraction_limbs + (1074 + 1024 + 8) / 64 + 2 <= sum_limbs);
 
-// Holds a sum in two's complement.
+// Holds a sum of products, in two's complement.
 class NaturalSum {
   public:
-    // Makes a sum of at most 64 terms that are multiples of 2^low below 2^high.
+    // Makes an empty sum. At most 64 terms may be added, each a multiple of 2^low and below 2^high in magnitude.
     NaturalSum(int low, int high) noexcept : low_(low), size_(static_cast<std::size_t>(high - low + 8) / 64 + 1) {
         ECODS_ASSERT(size_ <= sum_limbs);
         std::fill_n(limbs_.begin(), size_, 0);
@@ -39,7 +39,7 @@ class NaturalSum {
         }
     }
 
-    // Returns the sum over `den`, rounded, and destroys the sum.
+    // Returns the sum divided by `den`, rounded once. Call only once: the sum is overwritten.
     double over(NaturalSpan den) noexcept {
         const bool is_negative = (limbs_[size_ - 1] >> 63) != 0;
         if (is_negative) {

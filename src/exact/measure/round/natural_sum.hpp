@@ -1,4 +1,5 @@
-// Sums of products of natural numbers and powers of two, of either sign, are divided by a natural number and rounded.
+// round_sum adds products of natural numbers and powers of two, of either sign, divides the sum by a natural number,
+// and rounds once.
 #pragma once
 
 #include <span>
@@ -7,15 +8,15 @@
 
 namespace ecods::exact {
 
-// Holds the summand a b 2^e, or its negative.
+// The term a b 2^e, or -a b 2^e if is_negative.
 struct Summand {
     NaturalSpan a, b;
     int e = 0;
     bool is_negative = false;
 };
 
-// Returns the double nearest to the sum of at most 64 terms over `den`, ties to even; a zero is +0. natural_sum.cpp
-// names the widths that numbers may have.
+// Returns the double nearest to the sum of at most 64 terms, divided by `den`, ties to even; a zero is +0. Numbers must
+// have the widths that natural_sum.cpp derives.
 double round_sum(std::span<const Summand> terms, NaturalSpan den) noexcept;
 
 }  // namespace ecods::exact

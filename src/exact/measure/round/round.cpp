@@ -1,8 +1,8 @@
-// Roots and quotients of integers are rounded to nearest: integer division gives the leading digits, rounded down, and
-// one bit says if anything is left.
+// Roots and quotients of integers are rounded to the nearest double. Integer division gives the leading digits, rounded
+// down, and one bit says if the rest is zero.
 //
-// Digits and bit together determine the rounding to any shorter number, ties and powers of two included.
-// floor(sqrt(x)) = floor(sqrt(floor(x))), so the digits of a root follow from the digits of its square.
+// The digits and this bit together determine the rounding to fewer digits, also at ties and powers of two. For a root,
+// floor(sqrt(x)) = floor(sqrt(floor(x))), so its digits follow from the digits of its square.
 #include <algorithm>
 #include <cmath>
 
@@ -12,21 +12,21 @@
 namespace ecods::exact {
 namespace {
 
-// Holds (digits + rest) 2^exponent, 0 <= rest < 1; is_exact is true if rest is 0.
+// Represents the number (digits + rest) 2^exponent, 0 <= rest < 1. is_exact is true if the rest is 0.
 struct Truncated {
     std::uint64_t digits;
     int exponent;
     bool is_exact;
 };
 
-// Holds floor(num * 2^shift / den) < 2^128; is_exact is true if the division left no rest.
+// Holds whole = floor(num * 2^shift / den), which must be below 2^128. is_exact is true if nothing was rounded.
 struct Quotient {
     Uint128 whole;
     bool is_exact;
 };
 
-// Subtracts digit * divisor from the dividend. Decreases a digit that is too large, by one or two, and adds the divisor
-// back.
+// Subtracts digit * divisor from the dividend. If the digit is too large, by one or two, decreases it and adds the
+// divisor back to the dividend.
 void subtract_product(std::uint64_t* dividend, NaturalSpan divisor, std::uint64_t& digit) noexcept {
     std::uint64_t carry = 0, borrow = 0;
     const std::size_t n = divisor.size();
@@ -54,10 +54,11 @@ void subtract_product(std::uint64_t* dividend, NaturalSpan divisor, std::uint64_
     }
 }
 
-// Sets to[i] to the limb at position first + i of a * 2^shift, shift >= 0: many calls of limb_of_shifted at once.
+// Sets to[i] to limb first + i of a * 2^shift, for all i; shift >= 0. Has the same result as limb_of_shifted() for each
+// i.
 void set_shifted(std::span<std::uint64_t> to, NaturalSpan a, int shift, std::size_t first) noexcept {
     const int bits = shift % 64;
-    // A negative position wraps around to one beyond all limbs.
+    // A negative position wraps around to a number that is greater than all positions.
     std::size_t at = first - static_cast<std::size_t>(shift) / 64;
     std::uint64_t below = at - 1 < a.size() ? a[at - 1] : 0;
     for (std::uint64_t& limb : to) {
@@ -83,10 +84,10 @@ Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
     bool is_exact = true;
     const std::size_t dropped = total < 0 ? static_cast<std::size_t>(-total + 63) / 64 : 0;
     for (std::size_t i = 0; i < std::min(dropped, num.size()); ++i) {
-        const int lost = -total - static_cast<int>(64 * i);  // bits of this limb
+        const int lost = -total - static_cast<int>(64 * i);  // number of dropped bits in this limb and above it
         is_exact &= (lost >= 64 ? num[i] : num[i] << (64 - lost)) == 0;
     }
-    const int fill = total + static_cast<int>(64 * dropped);  // not negative
+    const int fill = total + static_cast<int>(64 * dropped);  // >= 0
     set_shifted({u.data(), n + 2}, num, fill, dropped);
 
     Uint128 whole = 0;
@@ -109,8 +110,8 @@ Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
     return {whole, is_exact};
 }
 
-// Returns floor(sqrt(x)), for 2^116 <= x < 2^126. The root in floating point is a first guess with a relative error of
-// 2^-50 in any rounding mode; a Newton step squares that error, and integers correct the rest.
+// Returns floor(sqrt(x)), for 2^116 <= x < 2^126. The floating-point root is a first guess, with a relative error of
+// 2^-50 in any rounding mode. A Newton step squares that error, and steps of one correct the rest.
 std::uint64_t floor_of_root(Uint128 x) noexcept {
     const double guess = std::sqrt(static_cast<double>(static_cast<std::int64_t>(x >> 64))) * 0x1p32;
     auto m = static_cast<std::uint64_t>(guess);
@@ -120,8 +121,8 @@ std::uint64_t floor_of_root(Uint128 x) noexcept {
     return m;
 }
 
-// Returns the bits of the double nearest to a number of at least 55 digits, ties to even. Bits, because the processor
-// may take a subnormal double for zero.
+// Returns the bits of the double nearest to x, ties to even. x must have at least 55 digits. The result is bits and not
+// a double, because the processor may take a subnormal double for zero.
 std::uint64_t nearest(const Truncated& x) noexcept {
     constexpr int least = -1074;
     const int width = static_cast<int>(std::bit_width(x.digits));
@@ -136,14 +137,14 @@ std::uint64_t nearest(const Truncated& x) noexcept {
         const bool is_tie = lost == half && x.is_exact;
         if (lost > half || (lost == half && !x.is_exact) || (is_tie && (kept & 1) != 0)) ++kept;
     }
-    // A carry out of the digits rightly goes on into the exponent, up to infinity.
+    // A carry out of the digits increases the exponent, as it should, even to infinity.
     return (static_cast<std::uint64_t>(exponent - least) << 52) + kept;
 }
 
 // Returns the bits of the double nearest to sqrt(num / den) 2^exponent.
 std::uint64_t root_bits(NaturalSpan num, NaturalSpan den, int exponent) noexcept {
     if (num.empty()) return 0;
-    // An even shift makes a quotient of 118 to 121 bits, whose root has 59 to 61.
+    // The shift must be even, to be halved by the root. The quotient then has 118 to 121 bits, and its root 59 to 61.
     const int shift = (120 - (bit_width(num) - bit_width(den))) & ~1;
     const Quotient quotient = divide(num, shift, den);
     const std::uint64_t root = floor_of_root(quotient.whole);
@@ -198,7 +199,7 @@ double round_integer(const Int256& x, int exponent) noexcept {
         low = 0;
         exponent -= 128;
     }
-    // Shifts the leading bit to the top.
+    // Shifts left until the leading bit is set.
     const int up = 128 - bit_width(high);
     if (up > 0) {
         high = high << up | low >> (128 - up);

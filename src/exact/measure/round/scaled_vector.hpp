@@ -1,8 +1,9 @@
-// A ScaledVector is a difference of integer points as doubles, with a power of two of its own.
+// A ScaledVector is a vector of integers in doubles, times a power of two. It approximates a difference of integer
+// points.
 //
-// The coordinates are integers below 2^53: conversions round nothing, no product or sum of a few factors overflows, and
-// numbers that are not zero are far from underflow. So the rounding mode, flush-to-zero and the scale of the scene have
-// no effect.
+// The coordinates are integers of magnitude at most 2^53, so conversions to double are exact. Products and sums of a
+// few factors do not overflow, and numbers that are not zero are far from underflow. Therefore the rounding mode of
+// conversions, flush-to-zero, and the scale of the scene have no effect.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +19,8 @@
 
 namespace ecods::exact {
 
-// Holds x 2^shift, rounded down from a difference of integer points: each coordinate is less than one unit of x too
-// low, and exact if shift <= 0. The largest coordinate has 53 digits or is -2^53, or shift is 0.
+// Represents x 2^shift. If shift > 0, each coordinate is rounded down, by less than one unit of x; otherwise it is
+// exact. The largest coordinate has 53 digits or is -2^53, or shift is 0.
 struct ScaledVector {
     Point x;
     int shift;
@@ -31,12 +32,13 @@ ECODS_ALWAYS_INLINE IntegerVector difference(const IntegerVector& to, const Inte
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-// Returns a number with as many binary digits as the largest magnitude, or one less for -2^k.
+// Returns a number that has as many binary digits as the coordinate of largest magnitude; one digit less if that is
+// -2^k.
 ECODS_ALWAYS_INLINE Uint128 digits_of(const IntegerVector& v) noexcept {
     return static_cast<Uint128>((v[0] ^ (v[0] >> 127)) | (v[1] ^ (v[1] >> 127)) | (v[2] ^ (v[2] >> 127)));
 }
 
-// Returns the shift that makes numbers of these digits less than 2^53, and at least -2^53 in two's complement.
+// Returns the right shift after which numbers with these digits are in [-2^53, 2^53).
 ECODS_ALWAYS_INLINE int shift_of(Uint128 digits) noexcept {
     return std::max(0, bit_width(digits) - 53);
 }
@@ -47,8 +49,8 @@ ECODS_ALWAYS_INLINE Point shifted(const IntegerVector& v, int shift) noexcept {
             static_cast<double>(static_cast<std::int64_t>(v[2] >> shift))};
 }
 
-// Scales a vector. An exact vector that is short is shifted up, so that its size is known; one that is not exact is not
-// known that well, and keeps its unit.
+// Scales v such that its largest coordinate has 53 digits. A vector with fewer digits is scaled up only if it is exact;
+// an inexact one would gain no information, and gets shift 0.
 ECODS_ALWAYS_INLINE ScaledVector scaled(const IntegerVector& v, bool is_exact) noexcept {
     const int shift = bit_width(digits_of(v)) - 53;
     if (shift >= 0) [[likely]]
@@ -57,7 +59,8 @@ ECODS_ALWAYS_INLINE ScaledVector scaled(const IntegerVector& v, bool is_exact) n
     return {shifted({v[0] << -shift, v[1] << -shift, v[2] << -shift}, 0), shift};
 }
 
-// Return x 2^e rounded down and up, for normal x >= 2^-200.
+// Return lower and upper bounds of x 2^e, which are exact unless they underflow or overflow. x must be normal, and at
+// least 2^-200.
 inline double scaled_down(double x, int e) noexcept {
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
     const int biased = static_cast<int>(bits >> 52) + e;

@@ -1,4 +1,4 @@
-// Implements the hits of MeshShape by the hits of a posed body.
+// Implements the hits of a MeshShape by the functions for a posed body.
 #include "ecods/hit.hpp"
 #include "ecods/shape.hpp"
 

@@ -2,35 +2,42 @@
 #include <utility>
 
 #include "query/intersection/asking.hpp"
+#include "query/solid/relations.hpp"
 #include "query/solid/solid_parts.hpp"
 #include "world/first_failure.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 
-void World::set_solids(bool are_related) {
+void World::set_relations(bool are_listed) {
     Impl& w = impl();
-    if (are_related == w.solids.are_wanted()) return;
-    w.solids.set(are_related);
-    if (w.trace) w.trace->write<calls::SetSolids>(are_related);
+    if (are_listed == w.relations.are_wanted()) return;
+    if (are_listed) w.require_answers(Question::relation);
+    w.relations.set(are_listed);
+    if (w.trace) w.trace->write<calls::SetRelations>(are_listed);
 }
 
-bool World::are_solids_related() const {
-    return impl().solids.are_wanted();
+bool World::are_relations_listed() const {
+    return impl().relations.are_wanted();
 }
 
-std::span<const SolidPair> World::solid_pairs() const {
-    return impl().solids.list();
+std::span<const PairRelation> World::relations() const {
+    return impl().relations.list();
 }
 
 Relation World::Impl::relate(ProxyPair pair, QueryMemory& memory) const {
-    return ecods::solid_relation(bodies.solid_at(pair.a), bodies.solid_at(pair.b), memory);
+    if (relations.is_of_solids()) {
+        return solid_relation(bodies.solid_at(pair.a), bodies.solid_at(pair.b), memory);
+    }
+    const Relation found = ask(pair, &TwoBodyTest::relation, Ask(memory));
+    return test_of(pair).swapped ? mirrored(found) : found;
 }
 
-// Relates all pairs, even if one throws; then throws the error of the first such pair.
-void World::Impl::relate_solids() {
+// Computes the relation of each of the pairs to be tested, even if one throws. Then throws the error of the least pair
+// that threw.
+void World::Impl::relate_pairs() {
     FirstFailure failure;
-    const std::span<SolidPair> pairs = solids.tests();
+    const std::span<PairRelation> pairs = relations.tests();
     workers.run(pairs.size(), [&](std::size_t at, QueryMemory& memory) {
         const BodyPair& ids = pairs[at].bodies;
         try {

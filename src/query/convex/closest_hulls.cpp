@@ -1,22 +1,15 @@
 #include <optional>
 
-#include "ecods/shape.hpp"
-#include "ecods/solid.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/gjk.hpp"
 #include "query/convex/posed_hulls.hpp"
-#include "query/intersection/asking.hpp"
 
 namespace ecods {
 namespace {
 
 using namespace convex;
 
-bool is_known(const PairWitness& witness) noexcept {
-    return witness.a != PairWitness::none && witness.b != PairWitness::none;
-}
-
-// Sets the witness to triangles at the closest features, or at vertices near them.
+// Set the witness to triangles that have the closest features, or vertices near them.
 void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) noexcept {
     witness = {hulls.hull(0).vertex_names[guess.pairs[0][0]].triangle,
                hulls.hull(1).vertex_names[guess.pairs[0][1]].triangle};
@@ -26,20 +19,9 @@ void leave(const PosedHulls& hulls, const ClosestHulls& closest, PairWitness& wi
                name_of(hulls.hull(1), closest.part(hulls, 1)).triangle};
 }
 
-double distance_of(PosedHulls& hulls, PairWitness* witness) {
-    const auto closest = find_closest(hulls, witness);
-    return closest ? round_distance(hulls, closest->found) : 0;
-}
-
-std::optional<ClosestPoints> points_of(PosedHulls& hulls, PairWitness* witness) {
-    const auto closest = find_closest(hulls, witness);
-    if (!closest) return std::nullopt;
-    return name_closest(hulls, *closest);
-}
-
 }  // namespace
 
-// Tries the witness's triangles first. Features that were the closest before are proven like any others.
+// Tries the witness's triangles first. Even if their features were the closest before, they are proven like others.
 std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {
     if (witness == nullptr || !is_known(*witness)) return find_closest(hulls, between_centers(hulls), witness);
     const Simplex guess =
@@ -56,18 +38,6 @@ std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, const Simple
     if (!closest) closest = find_closest_exactly(hulls, guess);
     if (closest && witness != nullptr) leave(hulls, *closest, *witness);
     return closest;
-}
-
-double solid_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const Ask& ask) {
-    Asking asking(ask);
-    PosedHulls hulls(a, b, asking.memory());
-    return distance_of(hulls, ask.witness);
-}
-
-std::optional<ClosestPoints> solid_closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const Ask& ask) {
-    Asking asking(ask);
-    PosedHulls hulls(a, b, asking.memory());
-    return points_of(hulls, ask.witness);
 }
 
 }  // namespace ecods

@@ -1,0 +1,55 @@
+// Answers the questions of cast.hpp. Bodies of which a part is inside the other at the start meet at time 0; all others
+// meet first where their boundaries do.
+#include "ecods/cast.hpp"
+
+#include "base/limits.hpp"
+#include "geometry/find_invalid.hpp"
+#include "query/body/contained.hpp"
+#include "query/cast/cast_until.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods {
+namespace {
+
+// `find(a, b)` casts the boundaries.
+template <class Function>
+std::optional<FirstContact> cast_boundaries(const BodyPairAsked& bodies, QueryMemory& memory, const Function& find) {
+    return as_one_query(memory, [&]() -> std::optional<FirstContact> {
+        if (const auto part = find_contained(bodies, memory)) {
+            const ContainedFeatures features(*part);
+            return FirstContact{0, ClosestKind::contained, features.a, features.b};
+        }
+        auto contact = find(bodies.a.boundary(), bodies.b.boundary());
+        if (contact) bodies.rename(*contact);
+        return contact;
+    });
+}
+
+}  // namespace
+
+std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                 double max_time, const Ask& ask) {
+    const double latest = require_time(max_time);
+    Asking asking(ask);
+    const auto cast = [&](const Posed<MeshShape>& x, const Posed<MeshShape>& y) {
+        return cast_until(x, motion, y, latest, asking.memory(), asking.witness());
+    };
+    if (are_surfaces(*a.what, *b.what)) return cast(a, b);
+    validate_motion(motion);
+    return cast_boundaries({a, b}, asking.memory(), cast);
+}
+
+std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double max_time,
+                                 const Ask& ask) {
+    const double latest = require_time(max_time);
+    Asking asking(ask);
+    if (are_surfaces(*a.what, *b.what)) return cast_until(a, b, latest, asking.memory(), asking.witness());
+    const BodyPairAsked bodies({*a.what, a.from}, {*b.what, b.from});
+    return cast_boundaries(bodies, asking.memory(), [&](const Posed<MeshShape>& x, const Posed<MeshShape>& y) {
+        return cast_until(Moving<MeshShape>(*x.what, a.from, a.to), Moving<MeshShape>(*y.what, b.from, b.to), latest,
+                          asking.memory(), asking.witness());
+    });
+}
+
+}  // namespace ecods

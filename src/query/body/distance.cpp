@@ -1,0 +1,125 @@
+// Answers the questions of distance.hpp. Questions about solids are first asked about their boundaries; two convex
+// solids have a search of their own, whose features are those of the sets.
+#include "ecods/distance.hpp"
+
+#include <optional>
+
+#include "base/double_key.hpp"
+#include "base/limits.hpp"
+#include "ecods/intersection.hpp"
+#include "query/body/contained.hpp"
+#include "query/convex/solid_pair.hpp"
+#include "query/distance/surface_distance.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods {
+namespace {
+
+// Rounds the point R v + t once. A body that is this point alone is closest to itself there.
+Vec3 round_point(const Vec3& v, const Pose& pose, QueryMemory& memory) {
+    const MeshShape point(Mesh::create({v}, {Triangle{0, 0, 0}}));
+    const Posed<MeshShape> body(point, pose);
+    return as_part(memory, [&] { return surface::closest(body, body, memory); }).point_a;
+}
+
+// The closest points of bodies of which a part is inside the other one: twice the same point of that part.
+std::optional<ClosestPoints> closest_of_contained(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                                  const BodyPairAsked& bodies, QueryMemory& memory) {
+    const std::optional<ContainedPart> part = find_contained(bodies, memory);
+    if (!part) return std::nullopt;
+    const ContainedFeatures features(*part);
+    const Posed<MeshShape>& body = part->of_a ? a : b;
+    const Mesh& mesh = body.what->mesh();
+    const Triangle& corners = mesh.triangles()[part->of_a ? *part->of_a : *part->of_b];
+    const Vec3 point = round_point(mesh.vertices()[corners[0]], body.pose, memory);
+    return ClosestPoints{0, ClosestKind::contained, features.a, features.b, point, point};
+}
+
+}  // namespace
+
+double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::distance(a, b, ask);
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    const BodyPairAsked bodies(a, b);
+    return as_one_query(memory, [&]() -> double {
+        if (bodies.are_convex()) {
+            return convex::distance(bodies.a.convex(), bodies.b.convex(), memory, asking.witness());
+        }
+        if (is_part_inside(bodies, memory)) return 0;
+        return surface::distance(bodies.a.boundary(), bodies.b.boundary(), {memory, asking.witness()});
+    });
+}
+
+// Compares keys, in whose order NaN lies beyond the infinities.
+bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::within(a, b, max_distance, ask);
+    require_distance(max_distance);
+    const std::int64_t key = key_of(max_distance);
+    if (key == infinity_key) return true;
+    if (key == 0) return intersects(a, b, ask);
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    const BodyPairAsked bodies(a, b);
+    return as_one_query(memory, [&] {
+        if (bodies.are_convex()) {
+            return convex::distance_within(bodies.a.convex(), bodies.b.convex(), max_distance, memory, asking.witness())
+                .has_value();
+        }
+        return surface::within(bodies.a.boundary(), bodies.b.boundary(), max_distance, {memory, asking.witness()}) ||
+               is_part_inside(bodies, memory);
+    });
+}
+
+ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::closest(a, b, ask);
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    const BodyPairAsked bodies(a, b);
+    return as_one_query(memory, [&] {
+        if (bodies.are_convex()) {
+            if (const auto points = convex::closest(bodies.a.convex(), bodies.b.convex(), memory, asking.witness())) {
+                return *points;
+            }
+        }
+        if (const auto points = closest_of_contained(a, b, bodies, memory)) return *points;
+        ClosestPoints points = surface::closest(bodies.a.boundary(), bodies.b.boundary(), {memory, asking.witness()});
+        bodies.rename(points);
+        return points;
+    });
+}
+
+DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
+                               const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::distance_bounds(a, b, tolerance, ask);
+    surface::require_valid(tolerance);
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    const BodyPairAsked bodies(a, b);
+    return as_one_query(memory, [&] {
+        if (is_part_inside(bodies, memory)) return DistanceBounds{0, 0};
+        return surface::distance_bounds(bodies.a.boundary(), bodies.b.boundary(), tolerance,
+                                        {memory, asking.witness()});
+    });
+}
+
+std::vector<ClosestPoints> close_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
+                                           const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::close_triangles(a, b, max_distance, ask);
+    const BodyPairAsked bodies(a, b);
+    auto found = surface::close_triangles(bodies.a.boundary(), bodies.b.boundary(), max_distance, ask);
+    for (ClosestPoints& points : found) bodies.rename(points);
+    return found;
+}
+
+std::vector<CloseFeatures> close_features(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
+                                          const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::close_features(a, b, max_distance, ask);
+    const BodyPairAsked bodies(a, b);
+    auto found = surface::close_features(bodies.a.boundary(), bodies.b.boundary(), max_distance, ask);
+    for (CloseFeatures& features : found) bodies.rename(features.closest);
+    return found;
+}
+
+}  // namespace ecods

@@ -1,0 +1,73 @@
+// Answers the questions of hit.hpp. A line that begins inside a solid hits it there, and then its surface.
+#include "ecods/hit.hpp"
+
+#include "base/double_key.hpp"
+#include "ecods/solid.hpp"
+#include "query/body/starts_inside.hpp"
+#include "query/hit/surface_hit.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods {
+namespace {
+
+template <class SegmentOrRay>
+std::optional<Hit> find_first(const SegmentOrRay& line, const Posed<MeshShape>& posed, const Ask& ask) {
+    if (posed.what->form() == MeshForm::surface) return surface::first_hit(line, posed, ask);
+    validate(line);
+    Asking asking(ask);
+    const PosedBody body(posed);
+    if (is_inside(begin_of(line), body, asking.memory())) {
+        ++QueryMemoryAccess::state(asking.memory()).counts.queries;
+        return hit_inside(begin_of(line));
+    }
+    auto hit = ask.witness != nullptr ? surface::first_hit(line, body.boundary(), {asking.memory(), *ask.witness})
+                                      : surface::first_hit(line, body.boundary(), asking.memory());
+    if (hit) body.rename(hit->feature);
+    return hit;
+}
+
+template <class SegmentOrRay>
+std::vector<Hit> find_all(const SegmentOrRay& line, const Posed<MeshShape>& posed, const Ask& ask) {
+    if (posed.what->form() == MeshForm::surface) return surface::all_hits(line, posed, ask);
+    validate(line);
+    Asking asking(ask);
+    const PosedBody body(posed);
+    std::vector<Hit> hits = surface::all_hits(line, body.boundary(), asking.memory());
+    for (Hit& hit : hits) body.rename(hit.feature);
+    if (!is_inside(begin_of(line), body, asking.memory())) return hits;
+    for (Hit& hit : hits) ++hit.rank;
+    hits.insert(hits.begin(), hit_inside(begin_of(line)));
+    return hits;
+}
+
+}  // namespace
+
+bool is_inside(const Vec3& point, const PosedBody& body, QueryMemory& memory) {
+    return body.has_inside() &&
+           as_part(memory, [&] { return locate(point, body.solid(), memory).side == Side::inside; });
+}
+
+Hit hit_inside(const Vec3& begin) noexcept {
+    Hit hit;
+    hit.kind = HitKind::inside;
+    hit.feature = no_feature;
+    for (int axis = 0; axis < 3; ++axis) hit.point[axis] = key_of(begin[axis]) == 0 ? 0.0 : begin[axis];
+    hit.leave_point = hit.point;
+    return hit;
+}
+
+std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
+    return find_first(segment, body, ask);
+}
+std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
+    return find_first(ray, body, ask);
+}
+std::vector<Hit> all_hits(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask) {
+    return find_all(segment, body, ask);
+}
+std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
+    return find_all(ray, body, ask);
+}
+
+}  // namespace ecods

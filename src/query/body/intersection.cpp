@@ -1,0 +1,50 @@
+// Answers the questions of intersection.hpp. Questions about solids are first asked about their boundaries.
+#include "ecods/intersection.hpp"
+
+#include "query/body/contained.hpp"
+#include "query/distance/surface_distance.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/intersection/surface_intersection.hpp"
+#include "query/solid/relations.hpp"
+
+namespace ecods {
+
+// Most pairs of solids are parted by an axis, or cross where they did before; the boundaries' question, which tries
+// that first, is asked before anything else is found out about the solids. An axis that parts the boundaries parts the
+// bodies. Two convex solids have no way of their own: measured, a search for the distance takes longer.
+bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::intersects(a, b, ask);
+    Asking asking(ask);
+    const Ask boundaries(asking.memory(), asking.witness());
+    if (surface::intersects(boundary_of(a), boundary_of(b), boundaries)) return true;
+    return !surface::holds_axis(asking.witness()) && is_part_inside({a, b}, asking.memory());
+}
+
+Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    const bool is_solid_a = a.what->form() != MeshForm::surface, is_solid_b = b.what->form() != MeshForm::surface;
+    const auto solid = [](const Posed<MeshShape>& body) {
+        return Posed<Solid>(static_cast<const Solid&>(*body.what), body.pose);
+    };
+    if (is_solid_a && is_solid_b) return solid_relation(solid(a), solid(b), ask);
+    if (is_solid_b) return surface_relation(a, solid(b), ask);
+    if (is_solid_a) return mirrored(surface_relation(b, solid(a), ask));
+    return surface::relation(a, b, ask);
+}
+
+std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::intersecting_triangles(a, b, ask);
+    const BodyPairAsked bodies(a, b);
+    auto pairs = surface::intersecting_triangles(bodies.a.boundary(), bodies.b.boundary(), ask);
+    for (TrianglePair& pair : pairs) bodies.rename(pair);
+    return pairs;
+}
+
+std::vector<TriangleIntersection> intersections(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::intersections(a, b, ask);
+    const BodyPairAsked bodies(a, b);
+    auto found = surface::intersections(bodies.a.boundary(), bodies.b.boundary(), ask);
+    for (TriangleIntersection& each : found) bodies.rename(each.triangles);
+    return found;
+}
+
+}  // namespace ecods

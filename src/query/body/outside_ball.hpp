@@ -1,0 +1,45 @@
+// Finds balls outside a solid, in which no ray need be cast.
+#pragma once
+
+#include <cstddef>
+
+#include "ecods/pose.hpp"
+#include "ecods/shape.hpp"
+#include "exact/point/point.hpp"
+
+namespace ecods {
+
+// A point R v + t in doubles, and an upper bound of the error of each coordinate.
+struct RoundedVertex {
+    RoundedVertex(const Pose& pose, const Vec3& v) noexcept
+        : point(exact::pose_point(pose.R, v, pose.t)), error(exact::point_error_bound(pose.R, v.cwiseAbs(), pose.t)) {}
+
+    exact::Point point;
+    double error;
+};
+
+// A ball around a vertex that is outside a solid, which shares no point with the solid's boundary: all of it is
+// outside. Of a cloud of many pieces, most vertices are in the ball around an earlier one.
+class OutsideBall {
+  public:
+    // `boundary` must outlive this object.
+    OutsideBall(const Posed<MeshShape>& boundary, QueryMemory& memory) : boundary_(boundary), memory_(memory) {}
+
+    // True if the vertex is certainly in the ball.
+    bool contains(const RoundedVertex& vertex) noexcept;
+
+    // Finds a ball around a vertex that is outside. Finds none if balls have held fewer vertices than they are many, by
+    // `spare_count`: a ball takes longer than a ray.
+    void find_around(const RoundedVertex& vertex);
+
+  private:
+    static constexpr std::size_t spare_count = 8;
+
+    const Posed<MeshShape>& boundary_;
+    QueryMemory& memory_;
+    exact::Point center_{};
+    double radius_ = 0;
+    std::size_t ball_count_ = 0, held_count_ = 0;
+};
+
+}  // namespace ecods

@@ -1,0 +1,24 @@
+// The hit of a line that begins inside a solid.
+#pragma once
+
+#include "ecods/ask.hpp"
+#include "ecods/primitives.hpp"
+#include "ecods/results.hpp"
+#include "query/body/posed_body.hpp"
+
+namespace ecods {
+
+inline const Vec3& begin_of(const Segment& segment) noexcept {
+    return segment.a;
+}
+inline const Vec3& begin_of(const Ray& ray) noexcept {
+    return ray.origin;
+}
+
+// True if the point is inside the solid, and not on its surface. Counts as part of another question.
+bool is_inside(const Vec3& point, const PosedBody& body, QueryMemory& memory);
+
+// The hit, at the line's beginning.
+Hit hit_inside(const Vec3& begin) noexcept;
+
+}  // namespace ecods

@@ -1,0 +1,33 @@
+// Declares the questions of distance.hpp, and intersections(), about the surfaces of two bodies: all triangles of their
+// meshes, whatever forms their shapes have.
+#pragma once
+
+#include <vector>
+
+#include "base/limits.hpp"
+#include "ecods/ask.hpp"
+#include "ecods/distance.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/results.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods::surface {
+
+using Body = Posed<MeshShape>;
+
+// Throws InvalidArgument for a number that is negative or NaN.
+inline void require_valid(const DistanceTolerance& tolerance) {
+    require_distance(tolerance.relative);
+    require_distance(tolerance.absolute);
+    require_distance(tolerance.max_distance);
+}
+
+double distance(const Body& a, const Body& b, const Ask& ask);
+bool within(const Body& a, const Body& b, double max_distance, const Ask& ask);
+ClosestPoints closest(const Body& a, const Body& b, const Ask& ask);
+DistanceBounds distance_bounds(const Body& a, const Body& b, const DistanceTolerance& tolerance, const Ask& ask);
+std::vector<ClosestPoints> close_triangles(const Body& a, const Body& b, double max_distance, const Ask& ask);
+std::vector<CloseFeatures> close_features(const Body& a, const Body& b, double max_distance, const Ask& ask);
+std::vector<TriangleIntersection> intersections(const Body& a, const Body& b, const Ask& ask);
+
+}  // namespace ecods::surface

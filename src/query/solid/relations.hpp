@@ -1,0 +1,30 @@
+// Declares relations of solids, and of a surface to a solid.
+#pragma once
+
+#include "ecods/ask.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/results.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods {
+
+// Method: signs of determinants of input points alone. Where two triangles that are not coplanar share a segment, the
+// half-planes of both solids around its line, sorted, say which regions exist there; a shell without such a segment
+// lies on one side of the other solid, which one ray decides, from a point that is moved symbolically. That this is all
+// that can happen is proved in README.md.
+
+// Returns apart, touching, overlapping, inside, contains or equal. A solid at a singular pose is apart from others or
+// touches them, which it does inside another solid, too.
+Relation solid_relation(const Posed<Solid>& a, const Posed<Solid>& b, const Ask& ask);
+
+// Returns apart, touching, crossing or inside. All triangles of the surface count, also those of a solid's mesh.
+Relation surface_relation(const Posed<MeshShape>& surface, const Posed<Solid>& solid, const Ask& ask);
+
+// Returns the relation of the second body to the first.
+constexpr Relation mirrored(Relation relation) noexcept {
+    return relation == Relation::inside     ? Relation::contains
+           : relation == Relation::contains ? Relation::inside
+                                            : relation;
+}
+
+}  // namespace ecods
