@@ -21,8 +21,8 @@ namespace ecods {
 // Counts the pairs of triangles that were decided, by the stage that decided them. Equal input gives equal counts.
 struct StageCounts {
     std::uint64_t triangle_tests = 0;      // pairs of triangles
-    std::uint64_t filter_passes = 0;       // of these, decided by the bound of the body pair
-    std::uint64_t semi_static_passes = 0;  // ... by the bound of the triangle pair
+    std::uint64_t filter_passes = 0;       // of these, decided in doubles by one error bound for both bodies
+    std::uint64_t semi_static_passes = 0;  // ... by an error bound of the triangle pair
     std::uint64_t local_passes = 0;        // ... because both bodies have the same pose or short coordinates
     std::uint64_t plane_passes = 0;        // ... by known signs of whole planes
     std::uint64_t one_limb = 0;            // ... by integers of one limb (60 bits)

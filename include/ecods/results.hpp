@@ -250,8 +250,9 @@ struct BodyHit {
     Hit hit;
 };
 
-// The body that a moving subject meets first, if the real time is at most the limit. If times, each rounded once, are
-// equal, the least id is given. `contact.a` is a feature of the moving subject, `contact.b` of `body`.
+// The body that a moving subject meets first, if the exact time is at most max_time. Bodies are compared by their
+// times, each rounded once; of equal times, the least id is given. `contact.a` is a feature of the moving subject,
+// `contact.b` of `body`.
 struct BodyContact {
     BodyId body;
     FirstContact contact;

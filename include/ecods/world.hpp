@@ -241,9 +241,9 @@ class ECODS_API World {
     [[nodiscard]] std::vector<BodyHit> all_hits(const Ray& ray, std::optional<CollisionFilter> filter = {},
                                                 const Ask& ask = {}) const;
 
-    // Returns the body that the subject meets first, up to max_time, if the subject is translated by time times
-    // `motion` (cast.hpp). Nothing is moved. Throws InvalidArgument if the motion is not finite, or max_time is
-    // negative or NaN. A max_time above 1 counts as 1. Needs tests that answer Question::cast.
+    // Supposes that the subject is translated by t * `motion` at each time t (cast.hpp); nothing is moved. Returns the
+    // body that it meets first, or nullopt if it meets none up to max_time. Throws InvalidArgument if the motion is not
+    // finite, or max_time is negative or NaN. A max_time above 1 counts as 1. Needs tests that answer Question::cast.
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 

@@ -47,8 +47,9 @@ class Closeness {
     // True if the clearance is that of the last update: if no body has changed either, an update has nothing to do.
     bool is_up_to_date() const noexcept { return is_same_clearance(wanted_, listed_); }
 
-    // Finds the pairs to be tested. Pairs that `collisions` has found to collide in the same update are close, so they
-    // get their answer without a test. `boxes` has the boxes of the bodies, not enlarged.
+    // Finds the pairs to be tested for being within the clearance. Pairs that `collisions` has found to collide in the
+    // same update are close, so they get their answer without a test. `boxes` has the boxes of the bodies, not
+    // enlarged.
     void follow(const OverlapTracker& boxes, const Bodies& bodies, Changes& changes, const PairVerdicts& collisions);
     PairVerdicts& pairs() noexcept { return pairs_; }
     const PairVerdicts& pairs() const noexcept { return pairs_; }

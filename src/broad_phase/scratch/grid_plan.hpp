@@ -53,7 +53,7 @@ struct GridPlan {
     std::size_t cell_count() const noexcept { return std::size_t{cells[0]} * cells[1]; }
 };
 
-// Plans the search from a sample of `lines`, some of which may be empty. Cost: reads about a thousand lines at most.
+// Plans the search from a sample of the boxes `lines`; boxes may be empty. Cost: reads about a thousand lines at most.
 GridPlan plan_grid(std::span<const PackedBox> lines);
 
 }  // namespace ecods

@@ -101,7 +101,7 @@ struct FaceNormals {
 // Both trees on three axes in doubles; if V is Double8, on the normals of a in the low half and of b in the high half.
 template <class V>
 struct AxesOf {
-    Matrix<V> own, other;  // P of the tree whose normals the axes are, and P of the other tree
+    Matrix<V> own, other;  // matrix P (separating_axes.hpp) of the tree that gives the axes; of the other
     V offset, margin;
     V s, w;  // the sums s and w of separating_axes.hpp
     V e;     // row sums of |P - I| for the own P if it is taken for the identity; otherwise 0

@@ -58,7 +58,7 @@ struct PosedTree {
 
 // The map y -> p y + shift from a tree's coordinates to three axes.
 struct Projection {
-    std::array<std::array<float, 4>, 3> p;     // by columns; rows are axes, the fourth is zero; unset if is_unit
+    std::array<std::array<float, 4>, 3> p;     // p[c] is column c: an entry per axis, then 0; unset if is_unit
     std::array<std::array<float, 4>, 3> size;  // |p|
     std::array<std::array<float, 4>, 3> row;   // p by rows, and the shift as fourth column
     std::array<float, 4> shift;                // added to p y

@@ -96,8 +96,8 @@ class Frame {
 
     std::size_t body_count() const noexcept { return integers_.body_count(); }
     void forget_points() noexcept;
-    // Poses a vertex that is not in the cache. It is not inlined, and its arguments are in registers of the caller
-    // anyway, because each question contains such a call for each of its points, and hardly ever makes it.
+    // Poses a vertex that is not in the cache. It is not inlined: every query would contain the code once for each of
+    // its points, and hardly ever runs it. The call is cheap, since the arguments are in registers already.
     void pose(std::size_t body, std::uint32_t vertex, Point& p) const noexcept;
     void find_bounds() noexcept;
     void measure_digits() noexcept;

@@ -11,8 +11,8 @@
 
 namespace ecods::python {
 
-// Name the C++ types of Posed and Moving in Python. Python makes these from shared pointers only, so they keep their
-// shapes alive.
+// The C++ types of Python's classes Posed and Moving. Python code can make them only from shared pointers, so each
+// object keeps its shape alive.
 using PosedMesh = Posed<MeshShape>;
 using MovingMesh = Moving<MeshShape>;
 

@@ -26,7 +26,7 @@ inline Posed<MeshShape> boundary_of(const Posed<MeshShape>& posed) {
     return {boundary_of(*posed.what).shape, posed.pose};
 }
 
-// Refers to the shape that it is made of.
+// A posed shape as a set of points: a surface or a solid. The shape passed to the constructor must outlive it.
 class PosedBody {
   public:
     // A solid may be taken for its surface, with all triangles of its mesh.

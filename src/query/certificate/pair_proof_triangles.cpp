@@ -1,4 +1,5 @@
-// Finds the axis of two triangles for a proof: the axis between their closest features, or an axis of their contact.
+// Finds an axis that proves two triangles apart: the line between their closest features, or, if they touch, an axis
+// that separates them weakly.
 #include <algorithm>
 
 #include "base/double_key.hpp"
@@ -62,8 +63,8 @@ SixCorners PairProof::corners_of(std::uint32_t i, std::uint32_t j) {
     return corners;
 }
 
-// Returns the axis along which two triangles have their widest gap. If they share a point, returns nullopt if
-// `ends_at_` is meeting; otherwise returns an axis that separates them weakly, or nullopt if they cross.
+// Returns the axis along which two triangles have their widest gap. If they share a point, the result depends on
+// `ends_at_`: for meeting, nullopt; for crossing, an axis that separates them weakly, or nullopt if they cross.
 std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t j) {
     const DistanceInterval interval = pair_.enclose(i, j);
     if (interval.is_certain && key_of(interval.lower) > 0) return formula_of(interval, i, j);

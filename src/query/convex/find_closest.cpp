@@ -55,7 +55,8 @@ void measure_all(PosedHulls& hulls, const VertexSets& sets, Measured& least, Mea
     }
 }
 
-// Returns the extreme vertex of a solid along the direction of the features (for the second solid, against it).
+// Returns the vertex of solid `side` that is furthest towards the other solid, along the vector between the closest
+// points of the features `found`.
 Furthest find_furthest(PosedHulls& hulls, const HullFeatures& found, std::size_t side) {
     return climb(hulls.hull(side), found.corners[side][0],
                  [&](std::uint32_t at, std::span<const Hull::Neighbor> neighbors) {

@@ -2,8 +2,8 @@
 // ClosestPoints.
 //
 // All pairs of closest points of two convex sets differ by the same vector, so they are on the features of the two
-// solids that are extreme along this vector. The features to choose from are these two and the features that border
-// them.
+// solids that are extreme along this vector. The candidates are these two features, and the edges and vertices of their
+// boundaries.
 #include <algorithm>
 #include <cmath>
 #include <limits>

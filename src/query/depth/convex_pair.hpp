@@ -1,4 +1,4 @@
-// Refers to two posed convex solids in the form that exact integers need.
+// Defines ConvexPair: two posed convex solids, as the hulls and poses from which exact integer points are made.
 #pragma once
 
 #include <array>

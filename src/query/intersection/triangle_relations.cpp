@@ -151,9 +151,9 @@ Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const 
     return decide_by_integers(corners, points, bounds, trace);
 }
 
-// Returns true if groups shall decide pairs from now on, and enables them. A mesh's groups are found once, and only
-// after integers have decided at least one pair of the query for each 512 triangles. So queries with few such pairs do
-// not pay for the search. The rule depends on the query alone, so its counts do, too.
+// Returns true if coplanar groups decide pairs from now on; enables the groups if it is time. A mesh's groups are found
+// once, and only after integers have decided at least one pair of the query for each 512 triangles. So queries with few
+// such pairs do not pay for the search. The rule depends only on the query, so equal queries count equal work.
 bool TriangleRelations::may_use_groups() {
     if (planes_.are_used()) return true;
     if (shapes_[0] == nullptr) return false;
@@ -172,8 +172,8 @@ bool TriangleRelations::may_use_groups() {
 
 namespace {
 
-// Gives triangle_pair the signs of two triangles in different planes. It takes a sign from the filter; if the filter
-// leaves it open, from known planes, then from integers.
+// Gives triangle_pair its signs for two triangles that are not coplanar. The sides of the corners are given (`sides`).
+// Orientations and normal axes come from the filter, or from integers if the filter is uncertain.
 class SignsOfPlanes {
   public:
     SignsOfPlanes(Frame& frame, const std::array<VertexRef, 6>& corners, const Points<6>& points,

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t no_shell = ~std::uint32_t{0};
 struct Shells {
     std::vector<std::uint32_t> of_triangle;  // by triangle: its shell; no_shell if its area is zero
     std::vector<std::uint32_t> first;        // by shell: its least triangle
-    std::vector<std::uint8_t> faces_in;      // by triangle: true if its corners turn right, seen from outside
+    std::vector<std::uint8_t> faces_in;      // by triangle: true if its corners turn right, seen from outside the solid
 };
 
 // Finds the shells of a mesh that bounds a solid. Any two of its sides must be the same edge or share at most a point.

@@ -80,9 +80,9 @@ class Splitter {
         });
     }
 
-    // Divides a triangle, and appends its pieces to `result`. A side with vertices inside is divided by a fan from the
-    // opposite corner over these vertices. The first and the last piece of the fan each have one of the other two
-    // sides, which are divided later.
+    // Divides a triangle at the vertices inside its sides. Appends the pieces to `result`, and their origins to
+    // `origins`. For one side with such vertices, the triangle is cut from the opposite corner to each of them; the
+    // first and the last piece each have one of the other two sides, which are divided later.
     static void divide(std::uint32_t triangle, Part whole, std::vector<Triangle>& result,
                        std::vector<TriangleOrigin>& origins) {
         std::vector<Part> open;

@@ -122,9 +122,9 @@ class SurfaceSearch {
         note((side > 0) == faces_in ? Side::inside : Side::outside);
     }
 
-    // Notes on which sides triangle i is beside an edge of the solid. Either its side number `side` lies along the
-    // edge; or the edge passes through the triangle's interior, and then the triangle has a corner on each side of the
-    // edge.
+    // Records if triangle i has points inside or outside the solid beside `edge`, with which it shares a segment.
+    // `side` is the triangle's side along the edge; or TriangleContact::face if the edge passes through the triangle's
+    // interior: then both halves of the triangle are recorded.
     void look_beside_edge(std::uint32_t i, int side, const SideRef& edge) {
         const MeshEdges& edges = SolidAccess::parts(solid_).edges;
         if (!is_new(i, 2 * std::uint64_t{edges.edge_of(edge)})) return;

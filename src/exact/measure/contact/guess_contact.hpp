@@ -10,7 +10,7 @@ namespace ecods::exact {
 struct ContactGuess {
     enum class What : std::uint8_t {
         meeting,  // the triangles first share a point on `features`
-        leaving,  // the triangles share their last point on `features`, before time 0
+        leaving,  // all contact is before time 0; `features` are those that touch at its end
         passing,  // seen along the motion, an edge of the triangle vertex_side separates them: `features` holds the
                   // corner where that edge begins, and the nearest corner of the other triangle
     };

@@ -59,8 +59,9 @@ class Sieve {
         }
     }
 
-    // Tries more vectors for edge i of the first and edge j of the second triangle: along each edge, perpendicular to
-    // it in the plane of both, and perpendicular to it towards the other's first corner.
+    // Tries more separating vectors for edge i of the first and edge j of the second triangle: along each edge;
+    // perpendicular to it in the plane that is parallel to both; and perpendicular to it towards the start of the other
+    // edge.
     void look_past_edges(std::size_t i, std::size_t j) noexcept {
         const Point between = minus(p_[3 + j], p_[i]), across = cross(edges_[0][i], edges_[1][j]);
         for (const Point& edge : {edges_[0][i], edges_[1][j]}) {

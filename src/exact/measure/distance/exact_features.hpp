@@ -37,8 +37,8 @@ namespace ecods::exact {
 enum class Standing : std::uint8_t {
     none,    // it contains none
     border,  // x or y is on the border of its feature, so in a feature of lower dimension
-    inside,  // x and y are inside both features; other points may be equally close
-    only,    // x and y are inside both features; no other points are equally close
+    inside,  // x and y are each inside its own feature; other points may be equally close
+    only,    // x and y are each inside its own feature; no other points are equally close
 };
 
 template <int L>
