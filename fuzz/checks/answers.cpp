@@ -51,7 +51,7 @@ void check_answers(World& world, const Truth& truth, Counters& counters) {
         counters["checked: bodies of which a part is inside another"] += pair.is_a_inside || pair.is_b_inside;
         const auto require_relation = [&](Relation got, const char* check) {
             if (pair.are_surfaces) return fuzz::require_relation(got, verdict.relation, check);
-            // Of solids, the relation itself is judged where they have few triangles (solid_questions).
+            // The relation of solids itself is judged if they have few triangles (solid_questions).
             if ((got != Relation::apart) != pair.do_meet()) throw CheckFailed(check, text(verdict.relation), text(got));
         };
         require_relation(world.relation(ids.a, ids.b), "relation");

@@ -75,7 +75,7 @@ class Truth {
     std::span<const TrueBody> bodies() const noexcept { return bodies_; }  // ascending
     bool knows(BodyId body) const noexcept { return find(numbers_of(body)) != nullptr; }
 
-    // Whether the body's boundary has all triangles of its mesh.
+    // True if the body's boundary has all triangles of its mesh.
     bool has_all_triangles(BodyId body) const noexcept { return find(numbers_of(body))->boundary.names.empty(); }
 
     // Pairs whose certified boxes overlap, ascending; all others are apart.

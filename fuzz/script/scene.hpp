@@ -42,8 +42,8 @@ class PartWorld : public World {
     // The other world takes the place of this one; the shapes of parts stay the same objects.
     void become(World&& other) noexcept { World::operator=(std::move(other)); }
 
-    // What makes the body again. A shape that the world made of a mesh is made of it again: only then is that mesh, set
-    // as the body's shape, the very object that the body has.
+    // Returns the options that make the body again. A shape that the world made of a mesh is made of it again: only
+    // then is that mesh, set as the body's shape, the very object that the body has.
     BodyOptions options_of(BodyId body) const;
 
     // From now on, or no more, an argument that is also what the world answers of some body is that answer.

@@ -4,13 +4,13 @@
 #include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
 #include "query/body/posed_body.hpp"
-#include "query/intersection/mesh_intersection_test.hpp"
+#include "query/intersection/surface_intersection.hpp"
 #include "query/solid/solid_parts.hpp"
 
 namespace ecods {
 namespace {
 
-class MeshMeshTest final : public MeshIntersectionTest {
+class MeshMeshTest final : public TwoBodyTest {
   public:
     explicit MeshMeshTest(PosedBody::Meaning meaning) : is_of_surfaces_(meaning == PosedBody::Meaning::surface) {}
 
@@ -18,8 +18,7 @@ class MeshMeshTest final : public MeshIntersectionTest {
 
     // Saves surfaces, the most frequent bodies, a copy of their poses.
     bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
-        if (is_of_surfaces_ || are_surfaces(*mesh_in(a), *mesh_in(b)))
-            return MeshIntersectionTest::intersects(a, b, ask);
+        if (is_of_surfaces_ || are_surfaces(*mesh_in(a), *mesh_in(b))) return surface::intersects(a, b, ask);
         return ecods::intersects(mesh_of(a), mesh_of(b), ask);
     }
     Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {

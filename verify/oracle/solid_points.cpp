@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace ecods::oracle {
-namespace {
 
 RationalPoint posed(const Pose& pose, const Vec3& v) {
     RationalPoint point;
@@ -14,6 +13,8 @@ RationalPoint posed(const Pose& pose, const Vec3& v) {
     }
     return point;
 }
+
+namespace {
 
 bool has_own_area(const std::array<Vec3, 3>& v) {
     const auto exact = [](const Vec3& x) { return RationalPoint{mpq_class(x[0]), mpq_class(x[1]), mpq_class(x[2])}; };

@@ -16,6 +16,9 @@ namespace ecods::oracle {
 using SolidPoint = Vector<mpz_class>;
 using RationalPoint = Vector<mpq_class>;
 
+// The point R v + t.
+RationalPoint posed(const Pose& pose, const Vec3& v);
+
 struct IntegerTriangle {
     std::uint32_t index = 0;  // in the soup
     std::array<SolidPoint, 3> corners;

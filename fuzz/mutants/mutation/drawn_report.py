@@ -7,7 +7,7 @@ from .rows import DrawnRow
 from .trial import NOT_COMPILED, SURVIVED
 
 TABLE, ROWS = FOLDER / "DRAWN.md", FOLDER / "DRAWN.rows"
-ROWS_HEAD = """# What became of mutants that were drawn: name, commit, program that caught it or -, outcome.
+ROWS_HEAD = """# Lists the mutants that were drawn: name, commit, program that caught it or -, outcome.
 # Written by fuzz/mutants/drawn.
 """
 HEAD = """# What catches mutants that are drawn by rule

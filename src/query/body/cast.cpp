@@ -16,9 +16,8 @@ namespace {
 template <class Function>
 std::optional<FirstContact> cast_boundaries(const BodyPairAsked& bodies, QueryMemory& memory, const Function& find) {
     return as_one_query(memory, [&]() -> std::optional<FirstContact> {
-        if (const auto part = find_contained(bodies, memory)) {
-            const ContainedFeatures features(*part);
-            return FirstContact{0, ClosestKind::contained, features.a, features.b};
+        if (const auto features = find_contained(bodies, memory)) {
+            return FirstContact{0, ClosestKind::contained, features->a, features->b};
         }
         auto contact = find(bodies.a.boundary(), bodies.b.boundary());
         if (contact) bodies.rename(*contact);

@@ -69,21 +69,18 @@ bool is_part_inside(const BodyPairAsked& bodies, QueryMemory& memory) {
            (bodies.a.has_inside() && find_piece(bodies.b, bodies.a, Wanted::any, memory));
 }
 
-std::optional<ContainedPart> find_contained(const BodyPairAsked& bodies, QueryMemory& memory) {
-    ContainedPart result;
-    if (bodies.b.has_inside()) result.of_a = find_piece(bodies.a, bodies.b, Wanted::least, memory);
-    if (!result.of_a && bodies.a.has_inside()) result.of_b = find_piece(bodies.b, bodies.a, Wanted::least, memory);
-    if (!result.of_a && !result.of_b) return std::nullopt;
+std::optional<ContainedFeatures> find_contained(const BodyPairAsked& bodies, QueryMemory& memory) {
+    std::optional<std::uint32_t> of_a, of_b;
+    if (bodies.b.has_inside()) of_a = find_piece(bodies.a, bodies.b, Wanted::least, memory);
+    if (!of_a && bodies.a.has_inside()) of_b = find_piece(bodies.b, bodies.a, Wanted::least, memory);
+    if (!of_a && !of_b) return std::nullopt;
     const auto meet = [&] { return surface::intersects(bodies.a.boundary(), bodies.b.boundary(), memory); };
     if (as_part(memory, meet)) return std::nullopt;
-    if (result.of_a) bodies.a.rename(*result.of_a);
-    if (result.of_b) bodies.b.rename(*result.of_b);
+    ContainedFeatures result;
+    if (of_a) result.a = {Feature::Kind::vertex, *of_a, 0};
+    if (of_b) result.b = {Feature::Kind::vertex, *of_b, 0};
+    bodies.rename(result);
     return result;
-}
-
-ContainedFeatures::ContainedFeatures(const ContainedPart& part) noexcept {
-    if (part.of_a) a = {Feature::Kind::vertex, *part.of_a, 0};
-    if (part.of_b) b = {Feature::Kind::vertex, *part.of_b, 0};
 }
 
 }  // namespace ecods

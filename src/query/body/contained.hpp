@@ -7,7 +7,6 @@
 // the first one that it meets has a piece inside the other set.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "ecods/ask.hpp"
@@ -22,20 +21,14 @@ namespace ecods {
 // are outside need none (OutsideBall).
 bool is_part_inside(const BodyPairAsked& bodies, QueryMemory& memory);
 
-// The least triangle, by its index in the mesh, of the pieces of one body that are inside the other one: of `a` if it
-// has one, otherwise of `b`.
-struct ContainedPart {
-    std::optional<std::uint32_t> of_a, of_b;
-};
-
-// Returns the part that is inside if the bodies share a point and their boundaries share none; otherwise nullopt.
-std::optional<ContainedPart> find_contained(const BodyPairAsked& bodies, QueryMemory& memory);
-
-// The features of contained bodies: corner 0 of the triangle that is inside, and none of the other body.
+// The features that ClosestPoints names for contained bodies: a vertex of one body, and none of the other one.
 struct ContainedFeatures {
-    explicit ContainedFeatures(const ContainedPart& part) noexcept;
-
     Feature a = no_feature, b = no_feature;
+
+    bool is_of_a() const noexcept { return a.kind != Feature::Kind::none; }
 };
+
+// Returns these features if the bodies share a point and their boundaries share none; otherwise nullopt.
+std::optional<ContainedFeatures> find_contained(const BodyPairAsked& bodies, QueryMemory& memory);
 
 }  // namespace ecods

@@ -26,14 +26,14 @@ Vec3 round_point(const Vec3& v, const Pose& pose, QueryMemory& memory) {
 // The closest points of bodies of which a part is inside the other one: twice the same point of that part.
 std::optional<ClosestPoints> closest_of_contained(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                                   const BodyPairAsked& bodies, QueryMemory& memory) {
-    const std::optional<ContainedPart> part = find_contained(bodies, memory);
-    if (!part) return std::nullopt;
-    const ContainedFeatures features(*part);
-    const Posed<MeshShape>& body = part->of_a ? a : b;
+    const std::optional<ContainedFeatures> features = find_contained(bodies, memory);
+    if (!features) return std::nullopt;
+    const Posed<MeshShape>& body = features->is_of_a() ? a : b;
+    const Feature& vertex = features->is_of_a() ? features->a : features->b;
     const Mesh& mesh = body.what->mesh();
-    const Triangle& corners = mesh.triangles()[part->of_a ? *part->of_a : *part->of_b];
-    const Vec3 point = round_point(mesh.vertices()[corners[0]], body.pose, memory);
-    return ClosestPoints{0, ClosestKind::contained, features.a, features.b, point, point};
+    const Triangle& corners = mesh.triangles()[vertex.triangle];
+    const Vec3 point = round_point(mesh.vertices()[corners[vertex.corner]], body.pose, memory);
+    return ClosestPoints{0, ClosestKind::contained, features->a, features->b, point, point};
 }
 
 }  // namespace

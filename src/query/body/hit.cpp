@@ -17,14 +17,14 @@ std::optional<Hit> find_first(const SegmentOrRay& line, const Posed<MeshShape>& 
     validate(line);
     Asking asking(ask);
     const PosedBody body(posed);
-    if (is_inside(begin_of(line), body, asking.memory())) {
-        ++QueryMemoryAccess::state(asking.memory()).counts.queries;
-        return hit_inside(begin_of(line));
-    }
-    auto hit = ask.witness != nullptr ? surface::first_hit(line, body.boundary(), {asking.memory(), *ask.witness})
-                                      : surface::first_hit(line, body.boundary(), asking.memory());
-    if (hit) body.rename(hit->feature);
-    return hit;
+    Ask boundary(asking.memory());
+    boundary.witness = ask.witness;
+    return as_one_query(asking.memory(), [&]() -> std::optional<Hit> {
+        if (is_inside(begin_of(line), body, asking.memory())) return hit_inside(begin_of(line));
+        auto hit = surface::first_hit(line, body.boundary(), boundary);
+        if (hit) body.rename(hit->feature);
+        return hit;
+    });
 }
 
 template <class SegmentOrRay>

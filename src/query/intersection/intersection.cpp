@@ -8,7 +8,6 @@
 #include "bvh/axes/separating_axes.hpp"
 #include "bvh/walks/walk_two.hpp"
 #include "query/intersection/asking.hpp"
-#include "query/intersection/mesh_intersection_test.hpp"
 #include "query/intersection/overlap_bound.hpp"
 #include "query/intersection/plane_bound.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -211,7 +210,7 @@ std::vector<TrianglePair> find_triangles(const MeshAt& a, const MeshAt& b, Query
 
 }  // namespace
 
-bool MeshIntersectionTest::intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const {
+bool surface::intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) {
     Asking asking(ask);
     return find_contact(a, b, asking.memory(), asking.witness());
 }

@@ -15,6 +15,8 @@ namespace ecods::surface {
 // Leaves in the witness two triangles that share a point, an axis that parts the bodies as a whole, insides included,
 // or neither.
 bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask);
+// Asks the same of two shapes that must be MeshShapes, without copies of their poses: a world asks it most often.
+bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask);
 bool holds_axis(const PairWitness& witness) noexcept;
 
 Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask);

@@ -10,6 +10,7 @@
 #include "bvh/walks/walk_line.hpp"
 #include "geometry/scaled_line.hpp"
 #include "oracle/hits.hpp"
+#include "oracle/solid_points.hpp"
 #include "property/guesses/soups.hpp"
 #include "query/hit/triangle_hits.hpp"
 
@@ -52,27 +53,14 @@ bool is_inside_face(const std::optional<oracle::ExactHit>& hit) {
 
 // Exact vectors of a triangle and a line: whether it has area, and whether the line is parallel to its plane.
 struct Exact {
-    using Vector = std::array<mpq_class, 3>;
+    using Vector = oracle::RationalPoint;
 
-    static Vector posed(const Pose& pose, const Vec3& v) {
-        Vector result;
-        for (int row = 0; row < 3; ++row) {
-            mpq_class& x = result[static_cast<std::size_t>(row)];
-            x = mpq_class(pose.t[row]);
-            for (int k = 0; k < 3; ++k) x += mpq_class(pose.R(row, k)) * mpq_class(v[k]);
-        }
-        return result;
-    }
     static Vector normal(const Mesh& mesh, const Pose& pose, std::uint32_t triangle) {
         const Triangle& t = mesh.triangles()[triangle];
         std::array<Vector, 3> p;
-        for (std::size_t i = 0; i < 3; ++i) p[i] = posed(pose, mesh.vertices()[t[i]]);
-        Vector u, v;
-        for (std::size_t k = 0; k < 3; ++k) {
-            u[k] = p[1][k] - p[0][k];
-            v[k] = p[2][k] - p[0][k];
-        }
-        return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+        for (std::size_t i = 0; i < 3; ++i) p[i] = oracle::posed(pose, mesh.vertices()[t[i]]);
+        using oracle::operator-;
+        return oracle::cross(Vector(p[1] - p[0]), Vector(p[2] - p[0]));
     }
     static bool has_area(const Mesh& mesh, const Pose& pose, std::uint32_t triangle) {
         return std::ranges::any_of(normal(mesh, pose, triangle), [](const mpq_class& x) { return sgn(x) != 0; });

@@ -12,6 +12,7 @@
 #include "measured_pairs.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/nearest.hpp"
+#include "oracle/solid_points.hpp"
 
 namespace ecods::exact {
 
@@ -41,16 +42,10 @@ inline double nearest(const mpq_class& x) {
     return oracle::nearest(oracle::ExactFraction{x.get_num(), x.get_den(), 0});
 }
 
-using RationalPoint = std::array<mpq_class, 3>;
+using oracle::RationalPoint;
 
 inline RationalPoint rational(const Pose& pose, const Vec3& v) {
-    RationalPoint result;
-    for (int row = 0; row < 3; ++row) {
-        mpq_class& x = result[static_cast<std::size_t>(row)];
-        x = mpq_class(pose.t[row]);
-        for (int k = 0; k < 3; ++k) x += mpq_class(pose.R(row, k)) * mpq_class(v[k]);
-    }
-    return result;
+    return oracle::posed(pose, v);
 }
 
 inline RationalPoint rational(const oracle::ExactPoint& point) {
