@@ -56,6 +56,12 @@ double ask_bounds(const DistanceAsked& asked) {
 double ask_closest(const DistanceAsked& asked) {
     return closest(asked.a, asked.b, asked.ask).distance;
 }
+double ask_point(const DistanceAsked& asked) {
+    return signed_distance(asked.a.pose.t, asked.b, asked.ask);
+}
+double ask_closest_point(const DistanceAsked& asked) {
+    return closest(asked.a.pose.t, asked.b, asked.ask).distance;
+}
 double ask_within(const DistanceAsked& asked) {
     return within(asked.a, asked.b, asked.d, asked.ask) ? 1 : 0;
 }
@@ -80,7 +86,17 @@ std::vector<DistanceMaker> ecods_distance() {
             {.name = "ECoDS closest",
              .use = "closest(); distance and points rounded once, features by the rule",
              .is_ecods = true,
-             .set_up = makes<DistanceEcods>(ask_closest, 0.0)}};
+             .set_up = makes<DistanceEcods>(ask_closest, 0.0)},
+            {.name = "ECoDS point",
+             .use = "signed_distance() of a point; rounded once",
+             .is_ecods = true,
+             .traits = {.is_for_points = true},
+             .set_up = makes<DistanceEcods>(ask_point, 0.0)},
+            {.name = "ECoDS closest point",
+             .use = "closest() of a point; distance and point rounded once, feature by the rule",
+             .is_ecods = true,
+             .traits = {.is_for_points = true},
+             .set_up = makes<DistanceEcods>(ask_closest_point, 0.0)}};
 }
 
 std::vector<DistanceMaker> ecods_within() {

@@ -19,12 +19,13 @@ struct Distance {
     using Engine = QueryEngine<Distance>;
     struct Traits {
         DistanceAnswer answer = DistanceAnswer::distance;
-        double factor = 1;          // of `within`: it asks about the distance times this
-        bool is_for_paths = false;  // keeps what it found from query to query, and is only asked about paths
+        double factor = 1;           // of `within`: it asks about the distance times this
+        bool is_for_paths = false;   // keeps what it found from query to query, and is only asked about paths
+        bool is_for_points = false;  // is only asked about points
     };
 
     static bool is_asked(const Traits& traits, const Workload& workload) {
-        return workload.is_path || !traits.is_for_paths;
+        return (workload.is_path || !traits.is_for_paths) && (workload.are_points || !traits.is_for_points);
     }
 };
 
@@ -33,6 +34,7 @@ using DistanceMaker = Maker<Distance>;
 std::vector<DistanceMaker> ecods_distance();
 std::vector<DistanceMaker> ecods_within();
 std::vector<DistanceMaker> fcl_distance();
+std::vector<DistanceMaker> cgal_distance();  // of points
 
 // All of the above. Ratios are taken to FCL OBBRSS, and of other questions to ECoDS's distance.
 std::vector<DistanceMaker> distance_engines();

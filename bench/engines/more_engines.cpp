@@ -19,7 +19,7 @@ std::vector<BroadMaker> broad_engines() {
 }
 
 std::vector<DistanceMaker> distance_engines() {
-    return joined(ecods_distance(), fcl_distance(), ecods_within());
+    return joined(ecods_distance(), fcl_distance(), ecods_within(), cgal_distance());
 }
 
 std::vector<CastMaker> cast_engines() {

@@ -29,6 +29,18 @@ struct Share {
     double asked = 0;
 };
 
+// The geometric mean of ratios, over the workloads that an engine finishes.
+struct Mean {
+    double logarithms = 0;
+    int count = 0;
+
+    void add(double ratio) {
+        logarithms += std::log(ratio);
+        ++count;
+    }
+    double value() const { return std::exp(logarithms / count); }
+};
+
 // Cells like "17 / 18", false negatives and positives, in the row of adjacent doubles.
 void add_gaps(const Page& page, std::map<std::string, Share>& shares) {
     const Table* gaps = find_table(page, gaps_title);
@@ -152,12 +164,12 @@ std::optional<Chart> summary_chart(const Page& page) {
     if (!timed_table) return std::nullopt;
     std::map<std::string, Share> shares;
     add_gaps(page, shares);
-    std::map<std::string, double> logarithms;
+    std::map<std::string, Mean> means;
     for (const TimedWorkload& workload : timed_table->workloads) {
         const double fastest = workload.fastest();
         const bool is_contact = std::ranges::find(contact_workloads, workload.name) != contact_workloads.end();
         for (const Timing& timing : workload.engines) {
-            logarithms[timing.engine] += std::log(timing.time / fastest);
+            means[timing.engine].add(timing.time / fastest);
             if (!is_contact || !timing.wrong || !timing.asked) continue;
             shares[timing.engine].wrong += *timing.wrong;
             shares[timing.engine].asked += *timing.asked;
@@ -169,9 +181,7 @@ std::optional<Chart> summary_chart(const Page& page) {
         const Share share = shares[timing.engine];
         if (share.asked == 0) continue;
         asked = share.asked;
-        points.push_back({timing.engine,
-                          std::exp(logarithms[timing.engine] / static_cast<double>(timed_table->workloads.size())),
-                          share.wrong / share.asked});
+        points.push_back({timing.engine, means[timing.engine].value(), share.wrong / share.asked});
     }
     if (points.empty()) return std::nullopt;
     Panel panel = error_panel("Do two meshes touch?", "times that of the fastest", points);
@@ -185,11 +195,12 @@ std::optional<Chart> summary_chart(const Page& page) {
     return Chart{
         "summary",
         {std::move(panel)},
-        fmt::format("Each engine is a point; the better is lower and further left. Across: its time over that "
-                    "of the fastest, the geometric mean over {} workloads of two meshes. Up: the share of wrong "
-                    "answers to {:.0f} questions about meshes in exact contact, with a small clearance, or an "
-                    "ulp apart, beside an exact oracle.",
-                    timed_table->workloads.size(), asked)};
+        fmt::format(
+            "Each engine is a point; the better is lower and further left. Across: its time over that "
+            "of the fastest, the geometric mean over those of {} workloads that it finishes. Up: the share of wrong "
+            "answers to {:.0f} questions about meshes in exact contact, with a small clearance, or an "
+            "ulp apart, beside an exact oracle.",
+            timed_table->workloads.size(), asked)};
 }
 
 std::vector<Section> headline(const Page& page) {

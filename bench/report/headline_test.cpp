@@ -87,6 +87,17 @@ TEST(Headline, SaysWhatTheTablesSay) {
     expect_headline(page());
 }
 
+TEST(Headline, AMeanIsOfTheWorkloadsThatAnEngineFinishes) {
+    Page changed = page();
+    std::vector<Table>& tables = changed.sections.at(0).tables;
+    tables[0].rows.insert(tables[0].rows.begin() + 2, {"ship, near", "ODE", "3.0", "5 / 10", "0", "0"});
+    tables[1].header.push_back("ODE");
+    for (std::vector<std::string>& row : tables[1].rows) row.push_back("1 / 1");
+    const auto chart = summary_chart(changed);
+    ASSERT_TRUE(chart.has_value());
+    EXPECT_NEAR(point_of(*chart, "ODE").x, 3, 0x1p-40) << "it crashed on the other workload";
+}
+
 TEST(Headline, OfAPageWithoutTimesIsEmpty) {
     EXPECT_TRUE(headline(Page{}).empty());
     EXPECT_FALSE(summary_chart(Page{}).has_value());

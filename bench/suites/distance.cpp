@@ -114,7 +114,7 @@ struct DistanceSuite {
              "rounded once, or do not contain them.",
              "Judged: so many of the true distances are the oracle's; the others are those of ECoDS. Bullet's meshes "
              "and "
-             "CGAL's trees answer no distances of two meshes."});
+             "CGAL's trees answer distances of points alone."});
     }
 };
 

@@ -9,8 +9,11 @@
 
 namespace ecods::fuzz {
 
-// Of a shape that is no MeshShape: surface.
+// Of a rounded shape that of its core; of any other that is no MeshShape: surface.
 MeshForm form_of(const Shape& shape) noexcept;
+
+// Of a shape that is not rounded: 0.
+double radius_of(const Shape& shape) noexcept;
 
 // Whether make_shape() would not throw. Cost: that of making it.
 bool has_form(const std::shared_ptr<const Mesh>& mesh, MeshForm form);

@@ -8,6 +8,7 @@
 #include "ecods/cast.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/rounded.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods::fuzz {
@@ -15,6 +16,7 @@ namespace {
 
 const MeshShape& mesh_shape_of(const Shape& shape) {
     if (const auto* user = dynamic_cast<const UserShape*>(&shape)) return user->as_mesh_shape();
+    if (const auto* rounded = dynamic_cast<const Rounded*>(&shape)) return rounded->core();
     return dynamic_cast<const MeshShape&>(shape);
 }
 

@@ -39,7 +39,7 @@ class UserShape final : public Shape {
     mutable std::atomic<Tampering> tampering_ = Tampering::none;
 };
 
-// The mesh that a shape is, disguised or not.
+// The mesh that a shape is, disguised or not; of a rounded shape that of its core.
 std::shared_ptr<const Mesh> mesh_of(const Shape& shape);
 
 // The tests for the user-defined kinds, with meshes and with one another, to be registered with a world. They insist on

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -33,6 +34,38 @@ void require_bodies(const std::vector<BodyId>& got, const std::vector<BodyId>& e
     throw CheckFailed(check, text(expected), text(got));
 }
 
+// What the oracle says of rounded bodies. Relations of some are not decided.
+void check_rounded(World& world, const TruePair& pair, Counters& counters) {
+    const auto [a, b] = pair.ids;
+    const oracle::RoundedDistance& truth = *pair.rounded;
+    const double distance = truth.distance();
+    ++counters[distance > 0 ? "checked: rounded bodies apart" : "checked: rounded bodies that meet"];
+    const auto require = [&](bool holds, const char* check) {
+        if (!holds) throw CheckFailed(check, fmt::format("distance {:a}", distance), "another answer");
+    };
+    require(world.intersects(a, b) == pair.do_meet() && world.intersects(b, a) == pair.do_meet(),
+            "rounded: intersects");
+    require(world.distance(a, b) == distance && world.distance(b, a) == distance, "rounded: distance");
+    for (const double d : {distance, std::nextafter(distance, 0), 0.5 * distance}) {
+        if (std::isfinite(d)) require(world.within(a, b, d) == (truth.compare(d) <= 0), "rounded: within");
+    }
+    const ClosestPoints points = world.closest(a, b);
+    require(points.distance == distance, "rounded: distance of closest points");
+    if (points.kind < ClosestKind::intersecting) {
+        require(points.point_a == truth.point(0) && points.point_b == truth.point(1), "rounded: closest points");
+    }
+    try {
+        const Relation got = world.relation(a, b), turned = world.relation(b, a);
+        require((got == Relation::apart) == (truth.compare(0) > 0), "rounded: relation");
+        require((got == Relation::touching) == (truth.compare(0) == 0), "rounded: relation, touching");
+        const bool is_subset = got == Relation::inside || got == Relation::contains;
+        require(is_subset ? turned != got : turned == got, "rounded: relation, swapped");
+        ++counters["checked: relations of rounded bodies"];
+    } catch (const NotSupported&) {
+        require(truth.compare(0) < 0, "rounded: a relation that is refused");
+    }
+}
+
 const char* name_of(Relation relation) {
     return relation == Relation::apart      ? "pairs: apart, boxes overlap"
            : relation == Relation::touching ? "pairs: touching"
@@ -49,6 +82,10 @@ void check_answers(World& world, const Truth& truth, Counters& counters) {
         counters["checked: triangle pairs that touch"] += verdict.triangles.size();
         ++counters[name_of(verdict.relation)];
         counters["checked: bodies of which a part is inside another"] += pair.is_a_inside || pair.is_b_inside;
+        if (pair.rounded) {
+            check_rounded(world, pair, counters);
+            continue;
+        }
         const auto require_relation = [&](Relation got, const char* check) {
             if (pair.are_surfaces) return fuzz::require_relation(got, verdict.relation, check);
             // The relation of solids itself is judged if they have few triangles (solid_questions).
@@ -100,7 +137,7 @@ void check_queries(World& world, const Truth& truth, BodyId body, Counters& coun
     require_bodies(got, expected, "bodies that a shape touches");
 
     // A mesh is a surface, with all its triangles.
-    if (truth.has_all_triangles(name)) {
+    if (truth.has_all_triangles(name) && !truth.has_rounded()) {
         got = numbers_of(world.intersecting_bodies({mesh_of(*world.shape(body)), world.pose(body)}));
         std::erase_if(got, [&](BodyId found) { return !truth.knows(found); });
         require_bodies(got, met_by_surface, "bodies that a mesh touches");

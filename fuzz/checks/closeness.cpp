@@ -21,7 +21,8 @@ constexpr std::size_t judged_max = 12;  // pairs a frame
 constexpr std::size_t triangle_pairs_max = 40000;
 
 // Whether certified boxes leave it open, on each axis and with doubles: the gap is off by a unit in the last place.
-bool may_be_close(const TrueBody& a, const TrueBody& b, double d) {
+bool may_be_close(const TrueBody& a, const TrueBody& b, double clearance) {
+    const double d = clearance + a.radius + b.radius;
     const Aabb x = a.exact.outer_box(), y = b.exact.outer_box();
     for (int axis = 0; axis < 3; ++axis) {
         const double gap = std::max(x.min[axis] - y.max[axis], y.min[axis] - x.max[axis]);
@@ -75,9 +76,11 @@ void check_close_pairs(const World& world, const Pairs& before, const Truth& tru
         judged.pop_back();
         if (a->mesh->triangles().size() * b->mesh->triangles().size() > triangle_pairs_max) continue;
         const oracle::Soup of_a = a->soup(), of_b = b->soup();
-        const bool is_close = oracle::MeshDistances(of_a, of_b).within(*clearance) ||
-                              (b->boundary.has_inside && oracle::has_piece_inside(of_a, of_b)) ||
-                              (a->boundary.has_inside && oracle::has_piece_inside(of_b, of_a));
+        const bool has_radii = a->radius != 0 || b->radius != 0;
+        const bool is_close = has_radii ? distance_of(*a, *b).compare(*clearance) <= 0
+                                        : oracle::MeshDistances(of_a, of_b).within(*clearance) ||
+                                              (b->boundary.has_inside && oracle::has_piece_inside(of_a, of_b)) ||
+                                              (a->boundary.has_inside && oracle::has_piece_inside(of_b, of_a));
         if (std::ranges::binary_search(now, BodyPair{a->id, b->id}) != is_close) {
             throw CheckFailed("close pairs",
                               std::string(is_close ? "with " : "without ") + text(BodyPair{a->id, b->id}), text(now));

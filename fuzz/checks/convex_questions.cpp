@@ -120,6 +120,16 @@ void check_pair(World& world, const Answer& expected) {
                          swapped.kind == closest.kind && closest.distance == expected.distance &&
                          closest.point_a == swapped.point_b && closest.a == swapped.b;
     if (!is_same) throw CheckFailed("where two convex solids are closest", text(expected), "another distance");
+    const SignedDistance to_b = world.signed_distance(a, b), to_a = world.signed_distance(b, a);
+    const double wanted = expected.depth && expected.depth->depth > 0 ? -expected.depth->depth : expected.distance;
+    const bool is_mirrored = to_a.distance == to_b.distance && to_a.kind == to_b.kind && to_a.a == to_b.b &&
+                             to_a.b == to_b.a && to_a.point_a == to_b.point_b && to_a.point_b == to_b.point_a &&
+                             to_a.direction == -to_b.direction;
+    const bool is_found = to_b.distance == wanted && (expected.depth ? to_b.direction == expected.depth->direction
+                                                                     : to_b.point_a == swapped.point_a);
+    if (!is_mirrored || !is_found) {
+        throw CheckFailed("a signed distance", text(expected), judge::text(to_b) + " and " + judge::text(to_a));
+    }
     if (!expected.depth) return;
     const Depth back = world.depth(b, a).value();
     const bool is_opposite = back.depth == expected.depth->depth && back.a == expected.depth->b &&

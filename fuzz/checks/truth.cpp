@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ecods/rounded.hpp"
 #include "fuzz/base/mesh_form.hpp"
 #include "oracle/solid.hpp"
 #include "oracle/solid_points.hpp"
@@ -11,7 +12,26 @@
 namespace ecods::fuzz {
 namespace {
 
+TruePair judge_rounded(const TrueBody& a, const TrueBody& b) {
+    TruePair pair{{a.id, b.id}, {}, false, false, false, true, distance_of(a, b)};
+    const int sign = pair.rounded->compare(0);
+    pair.verdict.relation = sign > 0 ? Relation::apart : sign == 0 ? Relation::touching : Relation::crossing;
+    return pair;
+}
+
+// The boxes that contain the bodies, by the middle of their sum of radii; with doubles, so a little more.
+bool may_overlap(const TrueBody& a, const TrueBody& b) {
+    if (a.radius == 0 && b.radius == 0) return oracle::boxes_overlap(a.exact.outer_box(), b.exact.outer_box());
+    const Aabb x = a.exact.outer_box(), y = b.exact.outer_box();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double gap = std::max(x.min[axis] - y.max[axis], y.min[axis] - x.max[axis]), sum = a.radius + b.radius;
+        if (gap > sum + sum * 0x1p-40 + 0x1p-1000) return false;
+    }
+    return true;
+}
+
 TruePair judge(const TrueBody& a, const TrueBody& b) {
+    if (a.radius != 0 || b.radius != 0) return judge_rounded(a, b);
     const bool are_surfaces = a.form == MeshForm::surface && b.form == MeshForm::surface;
     TruePair pair{{a.id, b.id}, oracle::verdict(a.exact, b.exact), false, false, are_surfaces, true};
     for (TrianglePair& triangles : pair.verdict.triangles) {
@@ -24,6 +44,15 @@ TruePair judge(const TrueBody& a, const TrueBody& b) {
 }
 
 }  // namespace
+
+oracle::RoundedDistance distance_of(const TrueBody& a, const TrueBody& b) {
+    const oracle::Soup of_a = a.soup(), of_b = b.soup();
+    oracle::ExactClosest cores = oracle::MeshDistances(of_a, of_b).closest();
+    const bool is_inside = (b.boundary.has_inside && oracle::has_piece_inside(of_a, of_b)) ||
+                           (a.boundary.has_inside && oracle::has_piece_inside(of_b, of_a));
+    if (is_inside) cores.distance = {};
+    return {cores, a.radius, b.radius};
+}
 
 std::shared_ptr<const Mesh> mesh_of_mesh_shape(const Shape& shape) {
     const auto* of_mesh = dynamic_cast<const MeshShape*>(&shape);
@@ -70,14 +99,18 @@ void Truth::renew_bodies(const World& world) {
         if (!mesh) continue;
         const Pose pose = world.pose(id);
         const MeshForm form = form_of(*shape);
+        const double radius = radius_of(*shape);
+        const bool is_rounded = dynamic_cast<const Rounded*>(shape.get()) != nullptr;
         const TrueBody* known = find(id);
-        if (known != nullptr && known->mesh == mesh && known->form == form && known->pose == pose) {
+        const bool has_same_shape = known != nullptr && known->mesh == mesh && known->form == form &&
+                                    known->radius == radius && known->is_rounded == is_rounded;
+        if (has_same_shape && known->pose == pose) {
             bodies.push_back(*known);
             bodies.back().is_changed = false;
         } else {
             Boundary boundary = boundary_of(*shape, mesh, pose);
             const oracle::OracleMesh exact(boundary.mesh, pose);
-            bodies.push_back({id, mesh, form, pose, std::move(boundary), exact, true});
+            bodies.push_back({id, mesh, form, radius, is_rounded, pose, std::move(boundary), exact, true});
         }
     }
     bodies_ = std::move(bodies);
@@ -95,7 +128,7 @@ void Truth::renew_pairs() {
         for (const TrueBody& b : bodies_) {
             // Of two that changed, the pair is found once.
             if (a.id == b.id || (b.is_changed && b.id < a.id)) continue;
-            if (!oracle::boxes_overlap(a.exact.outer_box(), b.exact.outer_box())) continue;
+            if (!may_overlap(a, b)) continue;
             const TrueBody& first = a.id < b.id ? a : b;
             const TrueBody& second = a.id < b.id ? b : a;
             pairs_.push_back(judge(first, second));

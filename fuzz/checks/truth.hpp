@@ -2,15 +2,18 @@
 // that the truth of one world is that of all that were given the same calls.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "ecods/world.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/oracle.hpp"
+#include "oracle/rounded.hpp"
 #include "scenes/numbers_of.hpp"
 
 namespace ecods::fuzz {
@@ -29,6 +32,10 @@ struct Boundary {
 };
 Boundary boundary_of(const Shape& shape, const std::shared_ptr<const Mesh>& mesh, const Pose& pose);
 
+// The distance of two bodies, less their radii; of their sets, insides of solids included.
+struct TrueBody;
+oracle::RoundedDistance distance_of(const TrueBody& a, const TrueBody& b);
+
 // The shape as its surface alone. It must be a MeshShape.
 std::shared_ptr<const MeshShape> surface_shape(const std::shared_ptr<const Shape>& shape);
 
@@ -36,7 +43,9 @@ std::shared_ptr<const MeshShape> surface_shape(const std::shared_ptr<const Shape
 struct TrueBody {
     BodyId id;
     std::shared_ptr<const Mesh> mesh;
-    MeshForm form;  // a surface, too, if the shape is no MeshShape
+    MeshForm form;    // a surface, too, if the shape is no MeshShape
+    double radius;    // around all of this
+    bool is_rounded;  // even if the radius is 0
     Pose pose;
     Boundary boundary;
     oracle::OracleMesh exact;  // of the boundary
@@ -52,6 +61,8 @@ struct TruePair {
     bool is_a_inside, is_b_inside;  // whether a part is inside the other body, if the boundaries share no point
     bool are_surfaces;              // both
     bool is_changed;                // one of the two is
+    // Of bodies with radii: `verdict` is of the rounded bodies, as far as they are apart, touch, or share inner points.
+    std::optional<oracle::RoundedDistance> rounded = {};
 
     bool do_meet() const { return verdict.relation != Relation::apart || is_a_inside || is_b_inside; }
 };
@@ -77,6 +88,9 @@ class Truth {
 
     // True if the body's boundary has all triangles of its mesh.
     bool has_all_triangles(BodyId body) const noexcept { return find(numbers_of(body))->boundary.names.empty(); }
+
+    // True if a body is rounded: nothing is decided yet of lines and motions.
+    bool has_rounded() const noexcept { return std::ranges::any_of(bodies_, &TrueBody::is_rounded); }
 
     // Pairs whose certified boxes overlap, ascending; all others are apart.
     std::span<const TruePair> pairs() const noexcept { return pairs_; }

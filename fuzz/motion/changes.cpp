@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/base/user_shape.hpp"
 #include "fuzz/motion/calm.hpp"
 #include "fuzz/motion/meshes.hpp"
+#include "fuzz/motion/numbers.hpp"
 #include "fuzz/motion/poses.hpp"
 #include "fuzz/script/any_call.hpp"
 #include "fuzz/script/bad_calls.hpp"
@@ -146,6 +148,21 @@ void other_form(Writing& w) {
     if (part.kind == ShapeKind::mesh() && has_form(part.mesh, part.form)) w.make(SetShape{body, part});
 }
 
+// The same core with another radius, with none, or as it is without.
+void other_radius(Writing& w) {
+    const Label body = w.any_body();
+    Part part = w.model.bodies.at(body).part;
+    if (part.kind == first_user_kind || part.kind == second_user_kind) return;
+    if (part.radius && w.random.below(4) == 0) {
+        part.radius.reset();
+        part.kind = ShapeKind::mesh();
+    } else {
+        part = rounded_part(part, any_radius(w.setting.unit, w.random));
+    }
+    part.refits = false;
+    w.make(SetShape{body, part});
+}
+
 // What a body gets is what another has.
 void clone(Writing& w) {
     const Part part = w.model.bodies.at(w.any_body()).part;
@@ -241,6 +258,7 @@ const std::array change_table = {
     Change{"bad input", &Weights::misuse, bad_call},
     Change{"relations listed", &Weights::solids, [](Writing& w) { w.make(SetRelations{w.random.below(3) != 0}); }},
     Change{"another form", &Weights::solids, other_form},
+    Change{"another radius", &Weights::radius, other_radius},
     Change{"any call", &Weights::any, make_any_call},
     Change{"calm motion", &Weights::calm, calm_motion},
 };

@@ -24,7 +24,7 @@ using Group = std::uint32_t Weights::*;
 constexpr Group groups[] = {&Weights::step,   &Weights::contact, &Weights::ulp,     &Weights::size,   &Weights::jump,
                             &Weights::matrix, &Weights::life,    &Weights::shape,   &Weights::filter, &Weights::bulk,
                             &Weights::tests,  &Weights::misuse,  &Weights::extreme, &Weights::own,    &Weights::solids,
-                            &Weights::any,    &Weights::calm};
+                            &Weights::any,    &Weights::calm,    &Weights::radius};
 
 Group any_group(const Weights& weights, scenes::Random& random) {
     std::uint32_t sum = 0;
@@ -177,6 +177,12 @@ Setting make_setting(const Profile& profile, scenes::Random& random, Counters& c
     if (profile.has_user_shapes) {
         setting.parts[1].kind = first_user_kind;
         setting.parts[3].kind = second_user_kind;
+    }
+    if (profile.has_radii) {
+        for (std::size_t i = 0; i < setting.parts.size(); ++i) {
+            const Part& core = setting.parts[i == 0 ? 1 : i];
+            if (i != 2) setting.parts[i] = rounded_part(core, any_radius(setting.unit, random));
+        }
     }
     setting.body_count = profile.bodies_min + random.below(profile.bodies_max - profile.bodies_min + 1);
     return setting;

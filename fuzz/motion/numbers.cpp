@@ -40,6 +40,17 @@ Mat3 integer_rotation(Random& random) {
     return std::ldexp(1.0, -std::ilogb(q.squaredNorm())) * matrix;
 }
 
+double any_radius(double unit, scenes::Random& random) {
+    switch (random.below(4)) {
+        case 0:
+            return unit * random.uniform(0, 1);
+        case 1:
+            return 0x1p-60 * unit;
+        default:
+            return 0.25 * unit * random.below(5);
+    }
+}
+
 Vec3 half_integers(double reach, Random& random) {
     Vec3 point;
     const auto steps = static_cast<std::uint32_t>(4 * reach) + 1;

@@ -26,6 +26,7 @@ struct Weights {
     std::uint32_t extreme = 0;  // to the ends of the range of doubles
     std::uint32_t own = 0;      // what other bodies have: their poses, shapes, filters
     std::uint32_t solids = 0;   // related or not; surfaces and solids; one within the other
+    std::uint32_t radius = 0;   // another radius; the core without one, and back
     std::uint32_t any = 0;      // any call of the table (trace/calls.hpp), its fields drawn at random
 };
 
@@ -56,6 +57,7 @@ struct Profile {
     Scale scale = Scale::unit;
     Layout layout = Layout::scattered;
     bool has_user_shapes = false;
+    bool has_radii = false;
     std::uint32_t manner_one_in = 0;  // of so many calls, one is made in a manner (script/manners.hpp); 0: none
     std::uint32_t again_one_in = 16;  // before one of so many frames, all worlds are made again (MakeAgain)
 };

@@ -31,7 +31,9 @@ class Reader {
     void take(const TracedUpdate& update);
     void take(const TracedQuestion&) {}  // questions are asked by the checks
     void take(const TracedMesh& mesh) { parts_.push_back({.mesh = mesh.mesh, .form = mesh.form}); }
+    void take(const TracedHalfSpace&) { reader_.fail("no script has half spaces"); }
     void take(const TracedShape& shape);
+    void take(const TracedRounded& shape) { parts_.push_back(rounded_part(parts_[shape.core], shape.radius)); }
     void take(const TracedNote& note);
 
     TraceReader reader_;

@@ -1,8 +1,11 @@
 #include "fuzz/script/scene.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <optional>
 
+#include "ecods/rounded.hpp"
 #include "environment/instruction_sets.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
@@ -15,7 +18,7 @@ namespace {
 
 // Whether the world makes the shape of a mesh that it is given.
 bool is_surface(const Part& part) {
-    return part.kind == ShapeKind::mesh() && part.form == MeshForm::surface;
+    return part.kind == ShapeKind::mesh() && part.form == MeshForm::surface && !part.radius;
 }
 
 bool is_same_mesh(const Mesh& a, const Mesh& b) {
@@ -55,10 +58,15 @@ BodyId PartWorld::body_of(const Part& part) const {
 
 // Of a part that is no surface.
 std::shared_ptr<const Shape> PartWorld::shape_of(const Part& part) {
-    if (part.kind != ShapeKind::mesh()) return std::make_shared<const UserShape>(part.mesh, part.kind);
-    auto& solid = solids_[{part.mesh, part.form}];
-    if (!solid) solid = make_shape(part.mesh, part.form);
-    return solid;
+    if (part.kind != ShapeKind::mesh() && !part.radius) {
+        return std::make_shared<const UserShape>(part.mesh, part.kind);
+    }
+    const auto radius = part.radius ? std::optional(std::bit_cast<std::uint64_t>(*part.radius)) : std::nullopt;
+    auto& shape = shapes_[{part.mesh, part.form, radius}];
+    if (shape) return shape;
+    const auto core = make_shape(part.mesh, part.form);
+    shape = part.radius ? std::shared_ptr<const Shape>(std::make_shared<const Rounded>(core, *part.radius)) : core;
+    return shape;
 }
 
 BodyOptions PartWorld::options_of(BodyId body) const {
@@ -298,6 +306,7 @@ void check_state(const ScriptedWorld& scripted, const Model& model) {
         require(world.pose(id) == body.pose, "pose", label);
         require(world.shape(id)->kind() == body.part.kind, "kind", label);
         require(form_of(*world.shape(id)) == body.part.form, "form", label);
+        require(radius_of(*world.shape(id)) == body.part.radius.value_or(0), "radius", label);
         require(is_same_mesh(*mesh_of(*world.shape(id)), *body.part.mesh), "shape", label);
         require(world.filter(id) == body.filter, "filter", label);
         require(world.user_data(id) == body.user_data, "user data", label);

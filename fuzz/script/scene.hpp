@@ -2,10 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -58,7 +61,9 @@ class PartWorld : public World {
 
     bool uses_own_answers_ = false;
     std::set<std::shared_ptr<const Mesh>> refitted_;
-    std::map<std::pair<std::shared_ptr<const Mesh>, MeshForm>, std::shared_ptr<const Shape>> solids_;
+    // Solids and rounded shapes, by mesh, form and the bits of the radius.
+    using Made = std::tuple<std::shared_ptr<const Mesh>, MeshForm, std::optional<std::uint64_t>>;
+    std::map<Made, std::shared_ptr<const Shape>> shapes_;
 };
 
 // A world with the user-defined tests, and the ids of the bodies that it made.

@@ -5,6 +5,13 @@
 
 namespace ecods::fuzz {
 
+Part rounded_part(Part part, double radius) {
+    const bool is_convex = part.form == MeshForm::convex || part.mesh->triangles().size() == 1;
+    part.kind = is_convex ? ShapeKind::rounded_convex() : ShapeKind::rounded();
+    part.radius = radius;
+    return part;
+}
+
 using CreateWith = calls::CreateWith<InScript>;
 
 std::string_view name_of(const Call& call) {

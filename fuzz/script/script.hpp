@@ -26,13 +26,17 @@ namespace ecods::fuzz {
 // A script knows no ids, so that calls can be dropped.
 using calls::Label;
 
-// The shape of a body. Kinds other than that of meshes are user_shape.hpp's, and surfaces.
+// The shape of a body. Kinds other than those of meshes and rounded shapes are user_shape.hpp's, and surfaces.
 struct Part {
-    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Mesh> mesh;  // of the core, if it is rounded
     ShapeKind kind = ShapeKind::mesh();
     MeshForm form = MeshForm::surface;
     bool refits = false;  // by refit() of the shape that the body has, if that is a mesh of the same triangles
+    std::optional<double> radius = {};  // of a rounded shape
 };
+
+// The part with this radius.
+Part rounded_part(Part part, double radius);
 
 struct InScript {
     using Body = Label;

@@ -101,6 +101,7 @@ TEST(Generate, EveryMotionThatHurtsHappens) {
                              "meshes: hollow cube",
                              "changes: relations listed",
                              "changes: another form",
+                             "changes: another radius",
                              "changes: any call"}) {
         EXPECT_GT(counters[name], 0U) << name;
     }

@@ -16,13 +16,16 @@
 // How do I ...
 //
 //     pose a body by a quaternion, an isometry, a matrix?   Pose::from_quaternion, from_isometry, from_matrix
-//     ask for a point?                                      locate (of a solid); a mesh of one triangle {i, i, i}
-//     find penetration, separation?                         depth, depth_bounds; within, distance_bounds
+//     ask for a point?                                      closest, signed_distance; locate (of a solid)
+//     find penetration, separation?                         signed_distance, depth, depth_bounds; within
 //     get contact points and normals?                       intersections, close_features
+//     have a ground, a wall?                                HalfSpace (half_space.hpp)
 //     find what is inside what?                             relation; World::relations, bodies_containing
 //     ignore pairs?                                         CollisionFilter, World::set_pair_enabled
-//     keep a margin around bodies?                          World::set_clearance, close_pairs
+//     keep a margin around bodies?                          rounded (rounded.hpp); World::set_clearance, close_pairs
+//     make spheres and capsules?                            sphere, capsule (rounded.hpp)
 //     ask again quickly about a pair that moved little?     PairWitness (ask.hpp)
+//     make a box, a cylinder, terrain?                      box, cylinder, height_field (builders.hpp)
 //     use my threads?                                       Executor (world_options.hpp)
 //     use shapes of my own?                                 Shape, TwoBodyTest
 //     report a bug?                                         World::trace_to, replay (trace.hpp)
@@ -37,12 +40,15 @@
 #include "ecods/mesh.hpp"             // triangle meshes
 #include "ecods/pose.hpp"             // where bodies are, and how they move
 #include "ecods/shape.hpp"            // shapes: meshes, solids, convex solids, and the caller's own
+#include "ecods/builders.hpp"         // boxes, prisms, polytopes around curved bodies, height fields, clouds
 #include "ecods/primitives.hpp"       // boxes, segments, rays, balls
 #include "ecods/intersection.hpp"     // do two bodies meet, and where?
 #include "ecods/distance.hpp"         // how far are they from each other, and where?
+#include "ecods/rounded.hpp"          // spheres, capsules, and margins around bodies
 #include "ecods/hit.hpp"              // what does a segment or a ray hit?
 #include "ecods/cast.hpp"             // when does a body on the move first meet another?
 #include "ecods/solid.hpp"            // what is inside what, and how deep?
+#include "ecods/half_space.hpp"       // a ground, a wall
 #include "ecods/results.hpp"          // the answers to all these
 #include "ecods/ask.hpp"              // memory, witness and counts of a question
 #include "ecods/world.hpp"            // many moving bodies

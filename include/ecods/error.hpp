@@ -68,8 +68,9 @@ class ECODS_API NotSolid final : public Error {
         open_edge,
         // Two triangles share a segment or more that is not a side of both: triangles.
         self_intersection,
-        // A vertex is beyond the plane of a triangle, so the solid is not convex: triangle, corner, vertices, beyond.
-        // The named edge is, if possible, one whose other triangle has that vertex.
+        // A vertex is beyond the plane of a triangle, so the solid is not convex: triangle, corner, vertices, beyond,
+        // depth. The named edge is, if possible, one whose other triangle has that vertex. A box that was turned and
+        // rounded has dents as deep as a few units of rounding; ConvexSolid(points) takes the hull of its vertices.
         dent,
         // All points lie in one plane, or there are none: point_count.
         no_interior,
@@ -84,6 +85,7 @@ class ECODS_API NotSolid final : public Error {
     std::array<Coordinates, 2> points = {};    // the coordinates of the edge's ends
     TrianglePair triangles = {};               // the lesser index first
     std::size_t beyond = 0;                    // the index of the vertex
+    double depth = 0;                          // its distance from the triangle's plane, rounded once
     std::size_t point_count = 0;
 };
 
@@ -98,12 +100,16 @@ enum class Argument : std::uint8_t {
     ray,          // "origin(0)" or "direction(0)" is NaN or infinite, "direction" zero, "max_parameter" NaN or negative
     point,        // a coordinate "(0)" is NaN or infinite
     motion,       // a coordinate "(0)" is NaN or infinite
-    ball,         // "center(0)" is NaN or infinite, or "radius" NaN or negative
+    ball,         // "center(0)" is NaN or infinite, or "radius" NaN or negative; of a rounded shape also infinite
+    half_space,   // "normal(0)" or "offset" is NaN or infinite, or "normal" zero
     distance,     // NaN or negative, or infinite where it must not be
     time,         // a limit is NaN or negative
     list_length,  // two lists that belong together differ: the number of "poses" is not that of the bodies
     null,         // a "mesh", "shape" or "test" is null
     mesh_and_shape,  // both were given to create a body (BodyOptions)
+    size,            // of a builder: "radius", "height", "sizes(0)", "radii(2)", "spacing(1)", "base" is not allowed
+    count,    // of a builder: "sides", "subdivisions", "columns" or "rows" are too few or too many, or make no grid
+    polygon,  // of a builder: it is not convex at a point: index
 };
 
 // Thrown if a call cannot use a number or pointer that it was given.

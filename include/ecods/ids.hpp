@@ -69,12 +69,16 @@ enum class Question : std::uint8_t {
     certify,
 };
 
-// The kind of a shape, by which a World selects the test for two bodies. Kind 0 is the triangle mesh; the caller
-// defines all other values.
+// The kind of a shape, by which a World selects the test for two bodies. Kind 0 is the triangle mesh; the three
+// greatest kinds are rounded shapes (rounded.hpp) and half spaces (half_space.hpp); the caller defines all other
+// values.
 struct ShapeKind {
     std::uint32_t value = 0;
 
     static constexpr ShapeKind mesh() noexcept { return {}; }
+    static constexpr ShapeKind rounded() noexcept { return {~std::uint32_t{0}}; }
+    static constexpr ShapeKind rounded_convex() noexcept { return {~std::uint32_t{1}}; }  // the core is convex
+    static constexpr ShapeKind half_space() noexcept { return {~std::uint32_t{2}}; }
     friend constexpr auto operator<=>(const ShapeKind&, const ShapeKind&) = default;
 };
 
@@ -93,7 +97,8 @@ struct CollisionFilter {
     return (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0;
 }
 
-// Write ids in the form of traces and messages: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh", "kind 7".
+// Write ids in the form of traces and messages: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh",
+// "rounded", "rounded convex", "kind 7".
 ECODS_API std::ostream& operator<<(std::ostream& out, BodyId body);
 ECODS_API std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
 ECODS_API std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);

@@ -82,6 +82,21 @@ struct ClosestPoints {
     TrianglePair triangles() const noexcept { return {a.triangle, b.triangle}; }
 };
 
+// The point of a body that is closest to a given point, and the feature that contains it, as ClosestPoints names it for
+// a body that is the given point alone.
+//
+// So of several features at exactly the least distance, the first is given: vertices before edges and faces, then by
+// triangle and corner. If the given point is on the body's surface, the distance is 0, `point` is the given point, and
+// the feature is the face of the least triangle that contains it (locate() names the feature of lowest dimension). If
+// it is inside a solid, the distance is 0, `point` is the given point, and the feature is no_feature.
+struct ClosestPoint {
+    double distance = 0;
+    Feature feature;
+    Vec3 point = Vec3::Zero();
+
+    friend bool operator==(const ClosestPoint&, const ClosestPoint&) = default;
+};
+
 // An interval that contains a distance.
 struct DistanceBounds {
     double lower = 0;

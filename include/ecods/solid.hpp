@@ -1,5 +1,5 @@
-// Questions that only solids have: where a point is, and how deep two solids are in each other. All other questions
-// take solids, too (intersection.hpp, distance.hpp, hit.hpp, cast.hpp). No World is needed.
+// Questions that only solids have: where a point is, how deep two solids are in each other, and their signed distance.
+// All other questions take solids, too (intersection.hpp, distance.hpp, hit.hpp, cast.hpp). No World is needed.
 //
 //     Solid hall{hall_mesh};
 //     locate(Vec3(0, 0, 1), {hall, Pose{}}).side == Side::inside
@@ -15,6 +15,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "ecods/ask.hpp"
 #include "ecods/export.hpp"
@@ -30,6 +32,9 @@ namespace ecods {
 // InvalidArgument unless the point is finite. Cost: a walk of the tree along a ray. (CGAL: side_of_triangle_mesh;
 // trimesh: contains.)
 [[nodiscard]] ECODS_API Location locate(const Vec3& point, const Posed<Solid>& solid, const Ask& ask = {});
+// Returns locate() of each point, in their order. The error's `index` says which point is not finite.
+[[nodiscard]] ECODS_API std::vector<Location> locate(std::span<const Vec3> points, const Posed<Solid>& solid,
+                                                     const Ask& ask = {});
 
 // Returns proven bounds of the depth of two solids, convex or not; nullopt if they share no point. Throws SingularPose.
 // Cost: some tens of relation(), of casts and of distances; for convex solids that of depth() and one or two of
@@ -53,10 +58,40 @@ namespace ecods {
 // on 3D Game Objects, 2001), in doubles. Exact signs prove that these are faces of the set, and no other is nearer.
 
 // Returns the depth: the length of the shortest translation of b after which the interiors share no point, and its
-// direction; nullopt if the solids share no point (distance() says how far they are). Starts from a witness, and leaves
-// one. Throws SingularPose. Cost: some microseconds for solids of some tens of faces; some tens of microseconds for ten
-// thousand vertices.
+// direction; nullopt if the solids share no point (distance() says how far they are). signed_distance() also has the
+// points that this translation brings together. Starts from a witness, and leaves one. Throws SingularPose. Cost: some
+// microseconds for solids of some tens of faces; some tens of microseconds for ten thousand vertices.
 [[nodiscard]] ECODS_API std::optional<Depth> depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                                    const Ask& ask = {});
+
+// The signed distance of two convex solids, or of a body and a half space (half_space.hpp), and where it is: the
+// distance of solids that share no point; otherwise minus the depth. It is 0 exactly if the solids touch: any other
+// number is at least 2^-1074 in magnitude.
+//
+// Let n be the unit vector `direction`, and d the signed distance, as real numbers. Then point_b - point_a = d n. If d
+// is positive, the points are the closest points, and n is the direction from point_a to point_b. Otherwise n is the
+// direction of Depth, and translating b by -d n = point_a - point_b, the shortest translation after which the interiors
+// share no point, brings the points together. If the solids touch, both points are one point that they share.
+//
+// The kind and the features are as in ClosestPoints: point_a is inside feature a, and point_b inside feature b. Of
+// several pairs that have the same difference, in a common face for example, the first is given by the order of
+// ClosestPoints. Exchanging the solids exchanges a and b and turns n around, unless several directions of Depth tie, or
+// several pairs of features.
+struct SignedDistance {
+    double distance = 0;
+    ClosestKind kind = ClosestKind::vertex_vertex;  // never `intersecting` or `contained`
+    Feature a, b;
+    Vec3 point_a = Vec3::Zero(), point_b = Vec3::Zero();
+    Vec3 direction = Vec3::Zero();
+
+    friend bool operator==(const SignedDistance&, const SignedDistance&) = default;
+};
+
+// Returns the signed distance, the points and the direction. signed_distance_bounds() (distance.hpp) takes bodies of
+// any kind. Starts from a witness, and leaves one. Throws SingularPose. Cost: that of closest(), or that of distance(),
+// depth() and, for the points, about one microsecond. (FCL, Coal: DistanceResult with enable_signed_distance; Bullet:
+// btManifoldPoint.)
+[[nodiscard]] ECODS_API SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
+                                                       const Ask& ask = {});
 
 }  // namespace ecods

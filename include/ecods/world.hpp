@@ -41,6 +41,7 @@
 #include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/statistics.hpp"
 #include "ecods/two_body_test.hpp"
 #include "ecods/world_options.hpp"
@@ -135,7 +136,8 @@ class ECODS_API World {
     // ---- two-body tests
 
     // Registers the test of two kinds, for either order of arguments (the world swaps them). Replaces an earlier test
-    // of these kinds, and forgets its verdicts. Meshes have a test from the start. Throws InvalidArgument for null.
+    // of these kinds, and forgets its verdicts. Meshes, rounded shapes and half spaces have tests from the start.
+    // Throws InvalidArgument for null.
     void set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test);
 
     // ---- answers for the whole world, as of the last update
@@ -192,9 +194,11 @@ class ECODS_API World {
                                                             const Ask& ask = {}) const;
 
     // Answer as solid.hpp says, and throw the same errors. Throw NotSupported if one of the two is no Solid, or for
-    // depth() no ConvexSolid. If several features tie, depth() of two bodies chooses as if the body with the lesser id
-    // came first.
+    // depth() and signed_distance() no ConvexSolid; but signed_distance() also takes a half space and any mesh, solid
+    // or rounded body (half_space.hpp). If several features tie, depth() and signed_distance() of two bodies choose as
+    // if the body with the lesser id came first.
     [[nodiscard]] std::optional<Depth> depth(const Asked& a, const Asked& b, const Ask& ask = {}) const;
+    [[nodiscard]] SignedDistance signed_distance(const Asked& a, const Asked& b, const Ask& ask = {}) const;
     [[nodiscard]] std::optional<DepthBounds> depth_bounds(const Asked& a, const Asked& b, const Ask& ask = {}) const;
 
     // ---- answers about everything, as of now

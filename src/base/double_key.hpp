@@ -23,6 +23,11 @@ constexpr double double_of(std::int64_t key) noexcept {
     return std::bit_cast<double>(((key ^ sign) - sign) | (sign & std::numeric_limits<std::int64_t>::min()));
 }
 
+// Returns -x; +0 if x is a zero.
+constexpr double opposite(double x) noexcept {
+    return double_of(-key_of(x));
+}
+
 // True if x >= 0; infinity and -0.0 included. False for NaN, whose key is beyond the keys of both infinities.
 constexpr bool is_from_zero(double x) noexcept {
     return key_of(x) >= 0 && key_of(x) <= key_of(std::numeric_limits<double>::infinity());

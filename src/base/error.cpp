@@ -2,22 +2,19 @@
 
 #include <array>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "base/make_error.hpp"
 #include "base/misuse.hpp"
+#include "base/number_text.hpp"
 
 namespace ecods {
 namespace {
 
-// Returns the shortest decimal that reads back as the same double; "nan", "inf" or "-inf" for other values.
 std::string text(double x) {
-    std::array<char, 32> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
-    return {buffer.data(), end};
+    return decimal_text(x);
 }
 
 std::string text(const NotSolid::Coordinates& point) {
@@ -81,8 +78,15 @@ void set_edge(NotSolid& error, const MeshEdge& edge) {
     error.vertices = edge.vertices;
 }
 
+// Returns the name of a kind of the library's rounded shapes or half spaces, or the number of another kind.
+std::string name_of(ShapeKind kind) {
+    if (kind == ShapeKind::half_space()) return "half space";
+    if (kind == ShapeKind::rounded()) return "rounded";
+    return kind == ShapeKind::rounded_convex() ? "rounded convex" : std::to_string(kind.value);
+}
+
 std::string not_supported_text(Question question, ShapeKind a, ShapeKind b, BodyId body) {
-    const std::string first = std::to_string(a.value), both = first + " and " + std::to_string(b.value);
+    const std::string first = name_of(a), both = first + " and " + name_of(b);
     if (question == Question::intersects) return "no two-body test is registered for shape kinds " + both;
     if (question == Question::certify) {
         return text(body) + " has a shape of kind " + first + ", of which there are no certificates";
@@ -161,13 +165,16 @@ NotSolid self_intersection(const TrianglePair& triangles) {
     return error;
 }
 
-NotSolid dent(const MeshEdge& edge, std::size_t beyond) {
+NotSolid dent(const MeshEdge& edge, std::size_t beyond, double depth) {
     NotSolid error("triangle " + std::to_string(edge.triangle) + ", at its edge from vertex " +
                        std::to_string(edge.vertices[0]) + " to vertex " + std::to_string(edge.vertices[1]) +
-                       ": vertex " + std::to_string(beyond) + " is beyond its plane: the solid is not convex",
+                       ": vertex " + std::to_string(beyond) + " is beyond its plane by " + text(depth) +
+                       ": the solid is not convex; ConvexSolid(points), in Python ConvexSolid.hull(points), takes "
+                       "the hull of its vertices",
                    NotSolid::Reason::dent);
     set_edge(error, edge);
     error.beyond = beyond;
+    error.depth = depth;
     return error;
 }
 
@@ -210,8 +217,7 @@ InvalidArgument invalid_box(int axis, double min, double max) {
 }
 
 InvalidArgument invalid_box(ShapeKind kind, int axis, double min, double max) {
-    InvalidArgument error =
-        about_box("shape of kind " + std::to_string(kind.value) + " gave a box with ", axis, min, max);
+    InvalidArgument error = about_box("shape of kind " + name_of(kind) + " gave a box with ", axis, min, max);
     error.kind = kind;
     return error;
 }
@@ -251,6 +257,19 @@ InvalidArgument invalid_center(int axis, double value) {
 
 InvalidArgument invalid_radius(double value) {
     return {"ball: the radius is " + text(value), Argument::ball, "radius", value};
+}
+
+InvalidArgument invalid_normal(int axis, double value) {
+    return {"half space: normal, " + bad_coordinate(axis, value), Argument::half_space, coordinate("normal", axis),
+            value};
+}
+
+InvalidArgument no_normal() {
+    return {"half space: the normal is zero", Argument::half_space, "normal"};
+}
+
+InvalidArgument invalid_offset(double value) {
+    return {"half space: the offset is " + text(value), Argument::half_space, "offset", value};
 }
 
 InvalidArgument invalid_distance(double value) {
@@ -294,7 +313,7 @@ NotSupported::NotSupported(Question asked, ShapeKind first, ShapeKind second, Bo
 NotUpdated::NotUpdated() : Error("the world changed since its last update") {}
 
 ShapeChanged::ShapeChanged(BodyId of_body, ShapeKind of_kind, const std::string& what_changed)
-    : Error(text(of_body) + ": its shape, of kind " + std::to_string(of_kind.value) + ", changed its " + what_changed +
+    : Error(text(of_body) + ": its shape, of kind " + name_of(of_kind) + ", changed its " + what_changed +
             " while the body had it"),
       body(of_body),
       kind(of_kind) {}

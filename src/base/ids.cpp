@@ -32,8 +32,11 @@ std::ostream& operator<<(std::ostream& out, const TrianglePair& pair) {
 }
 
 std::ostream& operator<<(std::ostream& out, ShapeKind kind) {
-    return out << (kind == ShapeKind::mesh() ? std::string("mesh")
-                                             : std::string("kind ").append(std::to_string(kind.value)));
+    if (kind == ShapeKind::mesh()) return out << std::string("mesh");
+    if (kind == ShapeKind::rounded()) return out << std::string("rounded");
+    if (kind == ShapeKind::rounded_convex()) return out << std::string("rounded convex");
+    if (kind == ShapeKind::half_space()) return out << std::string("half space");
+    return out << std::string("kind ").append(std::to_string(kind.value));
 }
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Functions that make the errors about bad input. Their texts are in error.cpp.
+// Functions that make the errors about bad input. Their texts are in error.cpp and builder_errors.cpp.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct MeshEdge {
 
 NotSolid open_edge(const MeshEdge& edge, const std::array<NotSolid::Coordinates, 2>& points);
 NotSolid self_intersection(const TrianglePair& triangles);
-NotSolid dent(const MeshEdge& edge, std::size_t beyond);
+NotSolid dent(const MeshEdge& edge, std::size_t beyond, double depth);
 NotSolid no_interior(std::size_t point_count);
 NotSolid no_area(std::size_t point_count);  // of any triangle of a mesh
 
@@ -40,10 +40,21 @@ InvalidArgument invalid_point(int axis, double value);
 InvalidArgument invalid_motion(int axis, double value);
 InvalidArgument invalid_center(int axis, double value);  // about a ball, like the next function
 InvalidArgument invalid_radius(double value);
+InvalidArgument invalid_normal(int axis, double value);  // about a half space, like the next two functions
+InvalidArgument no_normal();
+InvalidArgument invalid_offset(double value);
 InvalidArgument invalid_distance(double value);
 InvalidArgument invalid_time(double value);
 InvalidArgument invalid_list_length(std::size_t body_count, std::size_t pose_count);
 InvalidArgument null_argument(const std::string& name);
 InvalidArgument mesh_and_shape();
+// About the numbers given to builders, like the functions below.
+InvalidArgument invalid_size(const std::string& part, double value);
+InvalidArgument size_not_even(const std::string& part, double value);  // half of it is no double
+InvalidArgument size_too_large(const std::string& part, double value);
+InvalidArgument invalid_base(double value);  // of a height field
+InvalidArgument invalid_count(const std::string& part, std::size_t count, std::size_t min, std::size_t max);
+InvalidArgument invalid_rows(std::size_t height_count, std::size_t columns);
+InvalidArgument polygon_not_convex(std::size_t index);
 
 }  // namespace ecods

@@ -41,4 +41,10 @@ void append(std::string& text, std::uint64_t x) {
     append_chars(text, x);
 }
 
+std::string decimal_text(double x) {
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
+    return {buffer.data(), end};
+}
+
 }  // namespace ecods

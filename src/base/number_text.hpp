@@ -12,4 +12,7 @@ void append_hex(std::string& text, std::uint64_t x);
 
 void append(std::string& text, std::uint64_t x);  // in decimal
 
+// Returns the shortest decimal that reads back as the same double; "nan", "inf" or "-inf" for other values.
+std::string decimal_text(double x);
+
 }  // namespace ecods

@@ -1,4 +1,4 @@
-"""Builds the library and the module with CMake, and packs them. README.md at the top of the project shows the commands.
+"""Builds the library and the module with CMake, and packs them. README.md here shows the commands.
 
 ECODS_PYTHON_PACKAGE: a folder with a package that CMake has built (build/release/python); it is packed without a build.
 """

@@ -14,7 +14,9 @@ import ecods  # noqa: E402
 from ecods.refusals import split  # noqa: E402
 
 TAKEN = {"numpy.ndarray": "ArrayLike", "object": "ArrayLike", "Posed": "Posed | Mesh",
-         "Union[int, Posed]": "int | Posed | Mesh"}
+         "PosedRounded": "PosedRounded | Rounded", "PosedHalfSpace": "PosedHalfSpace | HalfSpace",
+         "Union[int, Posed, PosedRounded, PosedHalfSpace]":
+             "int | Posed | Mesh | PosedRounded | Rounded | PosedHalfSpace | HalfSpace"}
 PYTHON = ["CollisionManager", "ContactData", "DistanceData"]
 GIVEN = {"object": "Any", "dict": "dict[str, Any]"}
 

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
 #include "trace/trace_reader.hpp"
 #include "world/answer_digest.hpp"
 #include "world/world_access.hpp"
@@ -43,7 +45,11 @@ class Replayer {
     void take(const TracedQuestion& question);
     void take(const TracedUpdate& update);
     void take(const TracedMesh& mesh) { shapes_.push_back(make_shape(mesh.mesh, mesh.form)); }
+    void take(const TracedHalfSpace& traced) {
+        shapes_.push_back(std::make_shared<const HalfSpace>(traced.normal, traced.offset));
+    }
     void take(const TracedShape& shape);
+    void take(const TracedRounded& shape);
     void take(const TracedNote&) {}
 
     template <template <class> class Row>
@@ -97,6 +103,12 @@ void Replayer::take(const TracedShape& shape) {
     auto made = options_.read_shape(shape.kind, shape.text);
     if (!made || made->kind() != shape.kind) reader_.fail("ReplayOptions::read_shape gave no shape of this kind");
     shapes_.push_back(std::move(made));
+}
+
+void Replayer::take(const TracedRounded& shape) {
+    auto core = std::dynamic_pointer_cast<const MeshShape>(shapes_[shape.core]);
+    if (!core) reader_.fail("the core of a rounded shape is no mesh");
+    shapes_.push_back(std::make_shared<const Rounded>(std::move(core), shape.radius));
 }
 
 void Replayer::take(const TracedCall& call) {

@@ -33,6 +33,7 @@ class TraceLines {
     std::uint64_t hex(const char* what);
     std::uint64_t decimal(const char* what, std::uint64_t max);
     TracedBody body();
+    double coordinate();
     Vec3 point();
     Pose pose();
     CollisionFilter filter();
@@ -53,7 +54,6 @@ class TraceLines {
     [[noreturn]] void fail(const std::string& reason) const;
 
   private:
-    double coordinate();
     bool skips(std::string_view next_word);  // if the next word is this one, skips it and returns true
 
     std::istream& in_;

@@ -100,7 +100,9 @@ TraceItem TraceReader::read_item() {
     if (name == "note") return TracedNote{std::string(lines_.rest())};
     if (name == "update") return read_update();
     if (const auto form = parse_mesh_form(name)) return read_mesh(*form);
+    if (name == "half_space") return read_half_space();
     if (name == "shape") return read_shape();
+    if (name == "rounded") return read_rounded();
     const auto read_fields = [&](auto& row) { row.fields(FieldReader(lines_, names_), row); };
     if (TracedQuestion question; calls::emplace_row(question, name)) {
         std::visit(read_fields, question);
@@ -150,12 +152,29 @@ TracedMesh TraceReader::read_mesh(MeshForm form) {
     return {std::move(mesh), form};
 }
 
+TracedHalfSpace TraceReader::read_half_space() {
+    const std::uint64_t number = lines_.decimal("a number", max_64);
+    const Vec3 normal = lines_.point();
+    const double offset = lines_.coordinate();
+    number_next_shape(number, "half space");
+    return {normal, offset};
+}
+
 TracedShape TraceReader::read_shape() {
     const std::uint64_t number = lines_.decimal("a number", max_64);
     const ShapeKind kind{static_cast<std::uint32_t>(lines_.decimal("a kind", max_32))};
     std::string text(lines_.rest());
     number_next_shape(number, "shape");
     return {kind, std::move(text)};
+}
+
+TracedRounded TraceReader::read_rounded() {
+    const std::uint64_t number = lines_.decimal("a number", max_64);
+    TracedRounded rounded;
+    FieldReader(lines_, names_).shape(rounded.core);
+    rounded.radius = lines_.number();
+    number_next_shape(number, "rounded shape");
+    return rounded;
 }
 
 void TraceReader::number_next_shape(std::uint64_t number, const char* kind) {

@@ -33,8 +33,8 @@ struct TracedUpdate {
     bool has_failed = false;
 };
 
-// Holds a mesh. TracedShape holds a shape of the caller's own. Both are numbered in one sequence,
-// calls::InOrder::Shape.
+// Holds a mesh. TracedHalfSpace holds a half space, TracedRounded a rounded shape, and TracedShape a shape of the
+// caller's own. All are numbered in one sequence, calls::InOrder::Shape.
 struct TracedMesh {
     std::shared_ptr<const Mesh> mesh;
     MeshForm form = MeshForm::surface;
@@ -43,12 +43,23 @@ struct TracedShape {
     ShapeKind kind;
     std::string text;
 };
+// A rounded shape, whose core is an earlier mesh of that sequence.
+struct TracedRounded {
+    std::size_t core = 0;
+    double radius = 0;
+};
+
+struct TracedHalfSpace {
+    Vec3 normal;
+    double offset;
+};
 
 struct TracedNote {
     std::string text;
 };
 
-using TraceItem = std::variant<TracedCall, TracedQuestion, TracedUpdate, TracedMesh, TracedShape, TracedNote>;
+using TraceItem = std::variant<TracedCall, TracedQuestion, TracedUpdate, TracedMesh, TracedHalfSpace, TracedShape,
+                               TracedRounded, TracedNote>;
 
 // Holds the names of the bodies and shapes in the part of a trace that was read.
 struct TracedNames {
@@ -123,7 +134,9 @@ class TraceReader {
     TraceItem read_item();
     TracedUpdate read_update();
     TracedMesh read_mesh(MeshForm form);
+    TracedHalfSpace read_half_space();
     TracedShape read_shape();
+    TracedRounded read_rounded();
     void number_next_shape(std::uint64_t number, const char* kind);
 
     TraceLines lines_;

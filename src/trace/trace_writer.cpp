@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "ecods/error.hpp"
+#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods {
@@ -70,12 +72,20 @@ std::uint64_t TraceWriter::number_of(const std::shared_ptr<const Shape>& shape) 
     const auto known = numbers_.find(object.get());
     if (known != numbers_.end() && known->second.object.lock() == object) return known->second.number;
 
-    const std::string text = mesh_shape != nullptr ? std::string() : text_of(*shape);
+    const auto* half_space = dynamic_cast<const HalfSpace*>(shape.get());
+    const auto* rounded = dynamic_cast<const Rounded*>(shape.get());
+    const std::uint64_t core = rounded != nullptr ? number_of(rounded->core_ptr()) : 0;
+    const bool is_own = mesh_shape != nullptr || half_space != nullptr || rounded != nullptr;
+    const std::string text = is_own ? std::string() : text_of(*shape);
     const std::uint64_t number = last_number_ + 1;
     numbers_[object.get()] = {object, number};
     last_number_ = number;
     if (mesh_shape != nullptr) {
         put_mesh(form, mesh_shape->mesh(), number);
+    } else if (half_space != nullptr) {
+        put_line("half_space", number, half_space->normal(), half_space->offset());
+    } else if (rounded != nullptr) {
+        put_line("rounded", number, core, rounded->radius());
     } else {
         put_line("shape", number, shape->kind().value, std::string_view(text));
     }

@@ -1,6 +1,7 @@
 // Stores the two-body tests, by the two kinds of shape that a test takes.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>
@@ -23,7 +24,9 @@ struct OrderedTest {
 
 class TwoBodyTests {
   public:
-    void set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test);
+    // A test takes the shapes in the order of its kinds, or in either order.
+    enum class Takes : std::uint8_t { first_kind_first, either_order };
+    void set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test, Takes takes = Takes::first_kind_first);
     bool has(ShapeKind a, ShapeKind b) const;
 
     // Returns the test of the two kinds. Call only if has(a, b).
@@ -36,6 +39,7 @@ class TwoBodyTests {
     struct Entry {
         std::shared_ptr<const TwoBodyTest> test;
         ShapeKind first;
+        Takes takes;
     };
     using Key = std::pair<ShapeKind, ShapeKind>;  // the lesser kind first
     static Key key(ShapeKind a, ShapeKind b) { return a < b ? Key{a, b} : Key{b, a}; }

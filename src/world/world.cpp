@@ -1,6 +1,10 @@
 #include "base/make_error.hpp"
 #include "base/misuse.hpp"
+#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
+#include "world/half_space_tests.hpp"
 #include "world/mesh_mesh_test.hpp"
+#include "world/rounded_test.hpp"
 #include "world/world_access.hpp"
 #include "world/world_impl.hpp"
 
@@ -22,18 +26,28 @@ Aabb box_for(const Shape& shape, const Pose& pose, BodyId body, const ListIndex&
 
 void require_usable(const std::shared_ptr<const Shape>& shape) {
     if (!shape) throw null_argument("shape");
-    require_mesh_kind(*shape);
+    require_own_kind(*shape);
 }
 
-void require_mesh_kind(const Shape& shape) {
+void require_own_kind(const Shape& shape) {
     if (shape.kind() == ShapeKind::mesh() && dynamic_cast<const MeshShape*>(&shape) == nullptr) {
         throw NotSupported("shape kind 0 is taken by MeshShape; a shape of one's own needs another kind");
+    }
+    const bool is_rounded = shape.kind() == ShapeKind::rounded() || shape.kind() == ShapeKind::rounded_convex();
+    const bool is_half_space = shape.kind() == ShapeKind::half_space();
+    if ((is_rounded && dynamic_cast<const Rounded*>(&shape) == nullptr) ||
+        (is_half_space && dynamic_cast<const HalfSpace*>(&shape) == nullptr)) {
+        throw NotSupported(
+            "the three greatest shape kinds are taken by Rounded and HalfSpace; a shape of one's own needs another "
+            "kind");
     }
 }
 
 World::Impl::Impl(const WorldOptions& options)
     : bodies(options.ids), broad_phase(options.broad_phase), closeness(options.broad_phase), workers(options.executor) {
     tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
+    add_half_space_tests(tests);
+    add_rounded_tests(tests);
 }
 
 World::World(const WorldOptions& options) : impl_(std::make_unique<Impl>(options)) {}

@@ -144,7 +144,8 @@ inline ClosestPoints turned(ClosestPoints points) noexcept {
     return points;
 }
 void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument for null; NotSupported
-void require_mesh_kind(const Shape& shape);  // throws NotSupported if kind() is mesh() but it is no MeshShape
+// Throws NotSupported if the kind is one of the library's, but the shape is not.
+void require_own_kind(const Shape& shape);
 void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // throws NotSupported
 
 }  // namespace ecods

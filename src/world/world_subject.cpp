@@ -16,7 +16,7 @@ struct FindSubject {
         return {world.bodies[proxy].posed(), proxy};
     }
     Subject operator()(const Posed<Shape>& posed) const {
-        require_mesh_kind(*posed.what);
+        require_own_kind(*posed.what);
         require_valid(posed.pose);
         return {posed};
     }

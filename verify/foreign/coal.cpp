@@ -55,8 +55,8 @@ void ask_distances(Expectations& expect) {
     // Differences of neighbors like these are exact in doubles.
     expect.from("distance_box_box_4");
     for (const double x : {2.0, 1.01, 0.99, 0.0}) {
-        expect.is(signed_distance({unit, at(x, 0, 0)}, {unit, Pose{}}), x - 1);
-        expect.is(signed_distance({unit, Pose{}}, {unit, at(x, 0, 0)}), x - 1);
+        expect.is(signed_number({unit, at(x, 0, 0)}, {unit, Pose{}}), x - 1);
+        expect.is(signed_number({unit, Pose{}}, {unit, at(x, 0, 0)}), x - 1);
     }
 }
 
@@ -92,9 +92,9 @@ void ask_margins(Expectations& expect) {
         expect.is(collide(unit, -m.y, m.z, m.margin), m.collide);
         expect.is(collide(unit, m.z, m.y, m.margin), m.collide);
     }
-    expect.is(signed_distance({unit, Pose{}}, {unit, at(0, 1, 1)}), -0.0);
-    expect.is(signed_distance({unit, Pose{}}, {unit, at(0, 1, 1 + 0.01)}), (1 + 0.01) - 1);
-    expect.is(signed_distance({unit, Pose{}}, {unit, at(0, 1 - 0.01, 1 - 0.01)}), (1 - 0.01) - 1);
+    expect.is(signed_number({unit, Pose{}}, {unit, at(0, 1, 1)}), -0.0);
+    expect.is(signed_number({unit, Pose{}}, {unit, at(0, 1, 1 + 0.01)}), (1 + 0.01) - 1);
+    expect.is(signed_number({unit, Pose{}}, {unit, at(0, 1 - 0.01, 1 - 0.01)}), (1 - 0.01) - 1);
 }
 
 // A depth parts, and a distance joins: moved by a millionth more or less, what was said is so

@@ -93,7 +93,7 @@ void ask_scenes(Expectations& expect) {
         check_consistency(expect, posed_a, posed_b);
         const auto closest = closest_apart(posed_a, posed_b);
         // The source allows 1.5e-8.
-        if (i == touching_scene) expect.near(signed_distance(posed_a, posed_b), 0, 0x1p-26);
+        if (i == touching_scene) expect.near(signed_number(posed_a, posed_b), 0, 0x1p-26);
         if (!closest) continue;
         const auto is_in = [](const Pose& pose, const Vec3& p, const Vec3& sides) {
             const Vec3 own = pose.R.inverse() * (p - pose.t);
@@ -118,7 +118,7 @@ void ask_kissing(Expectations& expect) {
         for (const double distance : {-1e-15, -2.5e-16, -1e-16, 0., 1e-16, 2.5e-16, 1e-15}) {
             const double scaled = distance * std::max(1., side);
             const Pose b{R, a.t + R * Vec3(0, side + scaled, 0)};
-            expect.near(signed_distance({cube, a}, {cube, b}), scaled, 8 * 0x1p-53 * 5 * std::max(1., side));
+            expect.near(signed_number({cube, a}, {cube, b}), scaled, 8 * 0x1p-53 * 5 * std::max(1., side));
             check_consistency(expect, {cube, a}, {cube, b});
         }
     }

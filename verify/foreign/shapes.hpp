@@ -73,9 +73,8 @@ inline Pose pose_of(const std::array<double, 12>& m) {
 }
 
 // The distance of two convex solids, or less the depth if they share a point, as others call it.
-inline double signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b) {
-    const std::optional<Depth> how_deep = depth(a, b);
-    return how_deep ? -how_deep->depth : distance(a, b);
+inline double signed_number(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b) {
+    return signed_distance(a, b).distance;
 }
 
 inline constexpr std::array<std::array<std::size_t, 3>, 6> orders{

@@ -124,8 +124,8 @@ void ask_collisions(Expectations& expect) {
     const ConvexSolid cube = box(Vec3::Constant(0.5));
     for (const AlongX& x : along_x) {
         const Posed<ConvexSolid> a{cube, at(x.a, 0, 0)}, b{cube, at(x.b, 0, 0)};
-        expect.is(signed_distance(a, b), x.distance);
-        expect.is(signed_distance(b, a), x.distance);
+        expect.is(signed_number(a, b), x.distance);
+        expect.is(signed_number(b, a), x.distance);
         expect.is(relation(a, b) != Relation::apart, x.distance <= 0);
         const auto closest = closest_apart(a, b);
         expect.is(closest.has_value(), x.distance > 0);

@@ -16,7 +16,18 @@ bool is_same(const Depth& x, const Depth& y) {
     return same_bits(x.depth, y.depth) && x.a == y.a && x.b == y.b && same_bits(x.direction, y.direction);
 }
 
+bool is_same(const SignedDistance& x, const SignedDistance& y) {
+    return same_bits(x.distance, y.distance) && x.kind == y.kind && x.a == y.a && x.b == y.b &&
+           same_bits(x.point_a, y.point_a) && same_bits(x.point_b, y.point_b) && same_bits(x.direction, y.direction);
+}
+
 namespace {
+
+// The number is less than zero where interiors meet, and none is -0.
+SignedDistance to_signed_distance(const ClosestPoints& at, bool is_depth, const Vec3& direction) {
+    const double distance = is_depth && at.distance > 0 ? -at.distance : at.distance;
+    return {distance, at.kind, at.a, at.b, at.point_a, at.point_b, direction};
+}
 
 template <class Answer>
 std::string text_of(const std::optional<Answer>& answer, const char* none) {
@@ -45,14 +56,30 @@ std::string text(const Depth& depth) {
     return fmt::format("{:a}, {}, {} along {}", depth.depth, text(depth.a), text(depth.b), text(depth.direction));
 }
 
+std::string text(const SignedDistance& d) {
+    const ClosestPoints at{d.distance, d.kind, d.a, d.b, d.point_a, d.point_b};
+    return text(at) + " along " + text(d.direction);
+}
+
+auto ConvexTruth::answers_of(const oracle::ConvexPair& pair) -> Answers {
+    Answers answers;
+    if (const auto closest = pair.closest()) {
+        answers.closest = to_closest_points(*closest);
+        answers.signed_distance = to_signed_distance(*answers.closest, false, pair.direction()->nearest());
+    }
+    if (const auto depth = pair.depth()) {
+        answers.depth = to_depth(*depth);
+        const ClosestPoints deepest = to_closest_points(*pair.deepest());
+        answers.signed_distance = to_signed_distance(deepest, true, answers.depth->direction);
+    }
+    return answers;
+}
+
 ConvexTruth::ConvexTruth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b)
     : solids_{a, b},
       exact_(std::make_shared<const oracle::ConvexPair>(a.what->mesh(), a.pose, b.what->mesh(), b.pose)) {
     const oracle::ConvexPair swapped(b.what->mesh(), b.pose, a.what->mesh(), a.pose);
-    for (const auto& [pair, answers] : {std::pair(exact_.get(), &of_[0]), std::pair(&swapped, &of_[1])}) {
-        if (const auto closest = pair->closest()) answers->closest = to_closest_points(*closest);
-        if (const auto depth = pair->depth()) answers->depth = to_depth(*depth);
-    }
+    of_ = {answers_of(*exact_), answers_of(swapped)};
 }
 
 std::string ConvexTruth::kind() const {
@@ -86,7 +113,17 @@ std::optional<Wrong> ConvexTruth::ask_in_order(std::size_t order, const Ask& ask
     if (ecods::intersects(a, b, ask) == expected.closest.has_value()) {
         return Wrong{"intersects" + how, judge::text(distance()), "the contrary"};
     }
-    return require("depth", how, "nothing", expected.depth, ecods::depth(a, b, ask));
+    if (auto wrong = require("depth", how, "nothing", expected.depth, ecods::depth(a, b, ask))) return wrong;
+    const SignedDistance found = ecods::signed_distance(a, b, ask);
+    if (!is_same(expected.signed_distance, found)) {
+        return Wrong{"signed_distance" + how, judge::text(expected.signed_distance), judge::text(found)};
+    }
+    const DistanceBounds bounds = ecods::signed_distance_bounds(a, b, ask);
+    if (!same_bits(bounds.lower, found.distance) || !same_bits(bounds.upper, found.distance)) {
+        return Wrong{"signed_distance_bounds" + how, judge::text(found.distance),
+                     judge::text(bounds.lower) + " to " + judge::text(bounds.upper)};
+    }
+    return std::nullopt;
 }
 
 std::optional<Wrong> ConvexTruth::ask(QueryMemory& memory, PairWitness& witness) const {

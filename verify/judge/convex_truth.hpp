@@ -19,9 +19,11 @@ Depth to_depth(const oracle::ExactDepth& exact);
 
 // Whether all of it is the same, bit for bit.
 bool is_same(const Depth& x, const Depth& y);
+bool is_same(const SignedDistance& x, const SignedDistance& y);
 
 // In hexadecimal floats.
 std::string text(const Depth& depth);
+std::string text(const SignedDistance& distance);
 
 // What is true of two convex solids, known before the library is asked: it may be asked in any floating-point
 // environment. Poses are regular.
@@ -31,6 +33,7 @@ class ConvexTruth {
 
     double distance() const { return of_[0].closest ? of_[0].closest->distance : 0; }
     const std::optional<Depth>& depth() const { return of_[0].depth; }  // nothing if they share no point
+    const SignedDistance& signed_distance() const { return of_[0].signed_distance; }
     const oracle::ConvexPair& exact() const { return *exact_; }
 
     // What is so of the pair, in a word: of the distance its kind, of the depth what its normal comes from.
@@ -39,8 +42,8 @@ class ConvexTruth {
     // The same, to be asked of other solids of the same meshes.
     ConvexTruth with(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b) const;
 
-    // Asks for distance, closest features and depth in both orders, with the witness, which may come from anywhere, and
-    // without, and in the thread's own memory.
+    // Asks for distance, closest features, depth and signed distance in both orders, with the witness, which may come
+    // from anywhere, and without, and in the thread's own memory.
     std::optional<Wrong> ask(QueryMemory& memory, PairWitness& witness) const;
 
     // Whether depth_bounds() hold. In the usual environment.
@@ -54,7 +57,9 @@ class ConvexTruth {
     struct Answers {
         std::optional<ClosestPoints> closest;
         std::optional<Depth> depth;
+        SignedDistance signed_distance;
     };
+    static Answers answers_of(const oracle::ConvexPair& pair);
     std::optional<Wrong> ask_in_order(std::size_t order, const Ask& ask) const;
 
     std::array<Posed<ConvexSolid>, 2> solids_;

@@ -74,6 +74,23 @@ std::optional<ExactDepth> ConvexPair::depth() const {
     return depth;
 }
 
+std::optional<ExactClosest> ConvexPair::deepest() const {
+    if (!share_a_point()) return std::nullopt;
+    return deepest_features(impl_->bodies, *impl_->nearest.front());
+}
+
+// The difference of the closest points.
+std::optional<ExactDirection> ConvexPair::direction() const {
+    const auto found = closest();
+    if (!found) return std::nullopt;
+    ExactDirection direction;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const ExactFraction &p = found->point_a.x[k], &q = found->point_b.x[k];
+        direction.v[k] = q.num * p.den - p.num * q.den;
+    }
+    return direction;
+}
+
 // Faces of both solids may have one normal.
 std::size_t ConvexPair::depth_tie_count() const {
     std::set<Point> directions;

@@ -38,6 +38,10 @@ class ConvexPair {
     ExactRoot distance() const;
     std::optional<ExactClosest> closest() const;  // nothing where they share a point
     std::optional<ExactDepth> depth() const;      // nothing where they share none
+    // The points that the translation by depth() brings together; nothing where they share none.
+    std::optional<ExactClosest> deepest() const;
+    // The unit vector from the first to the second; nothing where they share a point.
+    std::optional<ExactDirection> direction() const;
 
     // How many normals have that depth.
     std::size_t depth_tie_count() const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <tuple>
 
 #include "oracle/convex_facets.hpp"
@@ -152,6 +153,150 @@ ExactClosest closest_features(const ConvexBodies& bodies) {
         }
     }
     return *first;
+}
+
+namespace {
+
+using Point = Vector<mpz_class>;
+
+// The parts of a body that are furthest along a vector: all of its vertices, edges and faces whose corners are, and the
+// corners seen along the vector, which are the products with it.
+struct Seen {
+    const ConvexBody<mpz_class>& body;
+    std::vector<std::uint32_t> vertices, edges, faces;
+    std::map<std::uint32_t, Point> at;  // by vertex
+
+    Seen(const ConvexBodies& bodies, std::size_t side, const Point& out, const Point& along)
+        : body(bodies.exact[side]), vertices(furthest(body, out)) {
+        for (const std::uint32_t v : vertices) at[v] = cross(along, body.vertices[v]);
+        const auto is_seen = [&](const auto& corners) {
+            return std::ranges::all_of(corners, [&](std::uint32_t v) { return at.contains(v); });
+        };
+        const ConvexFeatures& features = bodies.features[side];
+        for (std::uint32_t e = 0; e < features.edges.size(); ++e) {
+            if (is_seen(features.edges[e].ends)) edges.push_back(e);
+        }
+        for (std::uint32_t f = 0; f < features.faces.size(); ++f) {
+            if (is_seen(features.faces[f].corners)) faces.push_back(f);
+        }
+    }
+};
+
+// Where a point is strictly between two others, as a part of the way.
+std::optional<ExactFraction> part_between(const Point& p, const Point& from, const Point& to) {
+    const Point way = to - from, w = p - from;
+    const mpz_class along = dot(w, way), all = square_of(way);
+    if (sgn(square_of(cross(w, way))) != 0 || sgn(along) <= 0 || along >= all) return std::nullopt;
+    return ExactFraction{along, all, 0};
+}
+
+bool is_strictly_inside(const Point& p, const std::vector<Point>& polygon, const Point& normal) {
+    int side = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        const int sign = sgn(dot(cross(Point(to - from), Point(p - from)), normal));
+        if (sign == 0 || sign * side < 0) return false;
+        side = sign;
+    }
+    return true;
+}
+
+// Where two segments cross in their insides, as parts of both ways.
+std::optional<std::array<ExactFraction, 2>> parts_of_crossing(const Point& p, const Point& p_to, const Point& q,
+                                                              const Point& q_to) {
+    const Point u = p_to - p, v = q_to - q, w = q - p, turn = cross(u, v);
+    const mpz_class all = square_of(turn);
+    const mpz_class s = dot(cross(w, v), turn), t = dot(cross(w, u), turn);
+    if (sgn(all) == 0 || sgn(s) <= 0 || s >= all || sgn(t) <= 0 || t >= all) return std::nullopt;
+    return std::array<ExactFraction, 2>{{{s, all, 0}, {t, all, 0}}};
+}
+
+// All pairs of features of which each has a point that the translation along a facet's normal brings to the other's.
+class Deepest {
+  public:
+    Deepest(const ConvexBodies& bodies, const DifferenceFacet& facet)
+        : bodies_(bodies),
+          n_(facet.normal),
+          seen_{Seen(bodies, 0, n_, n_), Seen(bodies, 1, scaled(n_, -1), n_)},
+          depth_{facet.height * facet.height, facet.square, bodies.unit} {}
+
+    ExactClosest first() {
+        for (const std::uint32_t v : seen_[0].vertices) {
+            for (const std::uint32_t w : seen_[1].vertices) {
+                if (seen_[0].at[v] != seen_[1].at[w]) continue;
+                take(Closeness::vertex_vertex, {0, 0}, {v, w}, {vertex(0, v), vertex(1, w)});
+            }
+        }
+        for (const std::size_t side : {0U, 1U}) {
+            for (const std::uint32_t v : seen_[side].vertices) add_vertex(side, v);
+        }
+        for (const std::uint32_t e : seen_[0].edges) {
+            for (const std::uint32_t f : seen_[1].edges) {
+                const auto &p = bodies_.features[0].edges[e].ends, &q = bodies_.features[1].edges[f].ends;
+                const auto parts =
+                    parts_of_crossing(seen_[0].at[p[0]], seen_[0].at[p[1]], seen_[1].at[q[0]], seen_[1].at[q[1]]);
+                if (parts) take(Closeness::edge_edge, {1, 1}, {e, f}, {on(0, p, (*parts)[0]), on(1, q, (*parts)[1])});
+            }
+        }
+        return *first_;
+    }
+
+  private:
+    // With the insides of edges and of the face of the other body.
+    void add_vertex(std::size_t side, std::uint32_t v) {
+        const std::size_t other = 1 - side;
+        const auto add = [&](Closeness kind, std::uint32_t feature, const ExactPoint& point) {
+            const int dimension = kind == Closeness::vertex_edge ? 1 : 2;
+            if (side == 0) take(kind, {0, dimension}, {v, feature}, {vertex(0, v), point});
+            if (side == 1) take(kind, {dimension, 0}, {feature, v}, {point, vertex(1, v)});
+        };
+        for (const std::uint32_t e : seen_[other].edges) {
+            const auto& ends = bodies_.features[other].edges[e].ends;
+            const auto part = part_between(seen_[side].at[v], seen_[other].at[ends[0]], seen_[other].at[ends[1]]);
+            if (part) add(Closeness::vertex_edge, e, on(other, ends, *part));
+        }
+        for (const std::uint32_t f : seen_[other].faces) {
+            const auto& corners = bodies_.features[other].faces[f].corners;
+            std::vector<Point> polygon;
+            for (const std::uint32_t corner : corners) polygon.push_back(seen_[other].at[corner]);
+            if (!is_strictly_inside(seen_[side].at[v], polygon, n_)) continue;
+            const Point &from = bodies_.exact[side].vertices[v], &to = bodies_.exact[other].vertices[corners[0]];
+            const mpz_class above = dot(n_, Point(to - from));
+            add(Closeness::vertex_face, f, point_along(from, n_, above, square_of(n_), bodies_.unit));
+        }
+    }
+
+    ExactPoint vertex(std::size_t side, std::uint32_t v) const {
+        const Point& p = bodies_.exact[side].vertices[v];
+        return point_along(p, p, 0, 1, bodies_.unit);
+    }
+    ExactPoint on(std::size_t side, const std::array<std::uint32_t, 2>& ends, const ExactFraction& part) const {
+        const Point &from = bodies_.exact[side].vertices[ends[0]], &to = bodies_.exact[side].vertices[ends[1]];
+        return point_along(from, to - from, part.num, part.den, bodies_.unit);
+    }
+
+    void take(Closeness kind, const std::array<int, 2>& dimensions, const std::array<std::uint32_t, 2>& index,
+              const std::array<ExactPoint, 2>& points) {
+        ExactClosest found{depth_,
+                           kind,
+                           name_of(bodies_.features[0], dimensions[0], index[0]),
+                           name_of(bodies_.features[1], dimensions[1], index[1]),
+                           points[0],
+                           points[1]};
+        if (!first_ || rank(found) < rank(*first_)) first_ = std::move(found);
+    }
+
+    const ConvexBodies& bodies_;
+    const Point& n_;
+    std::array<Seen, 2> seen_;
+    ExactRoot depth_;
+    std::optional<ExactClosest> first_;
+};
+
+}  // namespace
+
+ExactClosest deepest_features(const ConvexBodies& bodies, const DifferenceFacet& facet) {
+    return Deepest(bodies, facet).first();
 }
 
 }  // namespace ecods::oracle

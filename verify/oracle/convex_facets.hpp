@@ -53,4 +53,10 @@ std::vector<std::uint32_t> furthest(const ConvexBody<mpz_class>& body, const Vec
 // Where two solids that share no point are closest, by the rule of ClosestPoints. Needs a FloatEnvironment.
 ExactClosest closest_features(const ConvexBodies& bodies);
 
+// Which two points of two solids that share a point are brought together by the translation of b that is the height of
+// the facet, along its normal: by the same rule. All pairs of features are seen along the normal: of a vertex each,
+// whether they cover each other; of a vertex and an edge or a face, whether it lies on it; of two edges, whether they
+// cross. `distance` is the length of the translation.
+ExactClosest deepest_features(const ConvexBodies& bodies, const DifferenceFacet& facet);
+
 }  // namespace ecods::oracle

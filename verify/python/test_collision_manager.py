@@ -86,7 +86,7 @@ def test_depths_of_convex_solids():
     made.add_object("b", Convex(*box()), at(0.75))
     found, data = made.in_collision_internal(return_data=True)
     assert found and len(data) == 1 and data[0].depth == 0.25 and data[0].normal.tolist() == [1, 0, 0]
-    assert 0.75 <= data[0].point[0] <= 1 and 0 <= data[0].index("a") < 12 and 0 <= data[0].index("b") < 12
+    assert data[0].point[0] == 0.875 and 0 <= data[0].index("a") < 12 and 0 <= data[0].index("b") < 12
 
 
 def test_what_is_inside_a_convex_mesh_collides():
@@ -96,10 +96,25 @@ def test_what_is_inside_a_convex_mesh_collides():
     assert made.in_collision_single(inner, at(1), return_names=True) == (True, {"hall"})
     distance, name, data = made.min_distance_single(inner, at(1), return_name=True, return_data=True)
     assert (distance, name) == (-4.5, "hall") and data.distance == -4.5
-    assert data.index("hall") is None and data.index("__external") == 0
-    assert data.point("hall").tolist() == data.point("__external").tolist() == [0.5, -0.5, -0.5]
+    assert data.index("hall") >= 0 and data.index("__external") >= 0
+    assert (data.point("hall") - data.point("__external")).tolist() == [4.5, 0, 0]
     _, (contact,) = made.in_collision_single(inner, at(1), return_data=True)
-    assert contact.depth == 4.5 and abs(contact.normal[0]) == 1 and contact.point.tolist() == [0.5, -0.5, -0.5]
+    assert contact.depth == 4.5 and contact.normal.tolist() == [1, 0, 0] and contact.point[0] == 2.75
+
+
+def test_cubes_at_one_place():
+    """trimesh's tests expect this point: the first feature of each by name, and the face of triangle 0."""
+    vertices, faces = around(0.5)
+    faces[0] = faces[0][1:] + faces[0][:1]
+    assert vertices[faces[0][0]] == (-0.5, -0.5, 0.5)
+    cube = Convex(vertices, faces)
+    made = ecods.CollisionManager()
+    made.add_object("a", cube, at(5))
+    _, (contact,) = made.in_collision_single(cube, at(5), return_data=True)
+    assert contact.depth == 1 and contact.normal.tolist() == [-1, 0, 0] and contact.point.tolist() == [5, -0.5, 0.5]
+    distance, data = made.min_distance_single(cube, at(5), return_data=True)
+    assert distance == data.distance == -1
+    assert data.point("a").tolist() == [4.5, -0.5, 0.5] and data.point("__external").tolist() == [5.5, -0.5, 0.5]
 
 
 def test_a_surface_inside_a_solid():

@@ -54,6 +54,14 @@ ERRORS = [
     (lambda: ecods.Trace("nonsense").replay(), ecods.InvalidTrace, None, {"line": 1}),
     (lambda: ecods.ConvexSolid.hull(np.zeros((5, 3))), ecods.NotSolid, None,
      {"reason": Solid.no_interior, "point_count": 5}),
+    (lambda: ecods.cylinder(-1, 2, 8), ecods.InvalidArgument, "radius is -1, not finite and positive",
+     {"argument": Bad.size, "part": "radius", "value": -1}),
+    (lambda: ecods.cone(1, 2, 2), ecods.InvalidArgument, "sides is 2, not from 3 to 16384",
+     {"argument": Bad.count, "part": "sides"}),
+    (lambda: ecods.prism([[0, 0], [4, 0], [4, 4], [2, 3], [0, 4]], 1), ecods.InvalidArgument, "not convex",
+     {"argument": Bad.polygon, "index": 3}),
+    (lambda: ecods.height_field(np.zeros((2, 2)), [1, 1], 0), ecods.InvalidArgument, "base is 0",
+     {"argument": Bad.size, "part": "base", "index": 0}),
 ]
 
 

@@ -87,7 +87,7 @@ def test_filters_clearance_nearest_and_hits():
 
 LIMITED = {"within", "close_features"}
 PAIR_QUESTIONS = ["intersects", "relation", "intersecting_triangles", "intersections", "distance", "within", "closest",
-                  "close_features", "depth", "depth_bounds"]
+                  "close_features", "depth", "depth_bounds", "signed_distance"]
 
 
 @pytest.mark.parametrize("question", PAIR_QUESTIONS)
@@ -191,10 +191,32 @@ def test_solids_and_convex_solids():
     assert ecods.relation(inner.mesh, cube) == ecods.Relation.inside
     assert ecods.locate([1, 1, 0.5], cube).feature.kind == ecods.FeatureKind.edge
     assert ecods.locate_many([[0.5, 0.5, 0.5], [1, 1, 1], [2, 0, 0]], cube).tolist() == [2, 1, 0]
+    asked = [[0.5, 0.5, 0.25], [1, 1, 1], [2, 0.5, 0.5], [4, 5, 0.5]]
+    assert ecods.signed_distance_many(asked, cube, threads=2).tolist() == [-0.25, 0, 1, 5]
+    assert [ecods.signed_distance(p, cube) for p in asked] == [-0.25, 0, 1, 5]
+    nearest, distances, triangles = ecods.closest_many(asked, cube)
+    assert nearest.tolist() == [[0.5, 0.5, 0.25], [1, 1, 1], [1, 0.5, 0.5], [1, 1, 0.5]]
+    assert distances.tolist() == [0, 0, 1, 5] and triangles[0] == -1
+    for i, p in enumerate(asked):
+        one = ecods.closest_point(p, cube)
+        assert one.distance == distances[i] and one.point.tolist() == nearest[i].tolist()
+        assert one.feature.kind == ecods.FeatureKind.none or one.feature.triangle == triangles[i]
+    assert ecods.signed_distance([0.5, 0.5, 0.25], ecods.surface_of(cube)) == 0.25
+    with pytest.raises(ecods.InvalidArgument) as refused:
+        ecods.closest_many(asked + [[0, np.nan, 0]], cube, threads=2)
+    assert refused.value.index == 4
     deep = ecods.depth(cube, cube.at(at(0.75)))
     assert deep.depth == 0.25 and deep.direction.tolist() == [1, 0, 0]
     assert ecods.depth_bounds(cube, cube.at(at(0.75))).lower <= 0.25
     assert ecods.distance(cube, cube.at(at(3))) == 2
+    for x in (0.75, 1, 3):
+        found = ecods.signed_distance(cube, cube.at(at(x)), ecods.Witness())
+        assert found.distance == x - 1 and found.direction.tolist() == [1, 0, 0]
+        assert (found.point_b - found.point_a).tolist() == [x - 1, 0, 0]
+        for other in (cube, ecods.Solid(*box())):
+            interval = ecods.signed_distance_bounds(cube, other.at(at(x)))
+            assert interval.lower <= x - 1 <= interval.upper
+        assert (interval := ecods.signed_distance_bounds(cube, cube.at(at(x)))).lower == interval.upper == x - 1
     assert ecods.closest(cube, cube).kind == ecods.ClosestKind.intersecting
     assert ecods.depth(cube, cube.at(at(3))) is None and ecods.depth_bounds(cube, cube.at(at(3))) is None
     assert len(ecods.ConvexSolid.hull(np.array(box()[0] + [[0.5, 0.5, 0.5]])).vertices) == 8

@@ -1,4 +1,4 @@
-"""The README's Python program prints what stands below it."""
+"""The program of src/python/README.md prints what stands below it."""
 import contextlib
 import io
 import os
@@ -9,9 +9,8 @@ import ecods
 
 
 def test_the_program_prints_what_the_readme_says():
-    text = (pathlib.Path(os.environ["ECODS_SOURCE_DIR"]) / "README.md").read_text()
-    section = text[text.index("\n## From Python\n"):]
-    program, output = re.search(r"```python\n(.*?)```.*?```\n(.*?)```", section, re.S).groups()
+    text = (pathlib.Path(os.environ["ECODS_SOURCE_DIR"]) / "src/python/README.md").read_text()
+    program, output = re.search(r"```python\n(.*?)```.*?```\n(.*?)```", text, re.S).groups()
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
         exec(compile(program, "README.md", "exec"), {})

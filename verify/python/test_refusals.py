@@ -13,12 +13,12 @@ MAKE = "make an ecods.Mesh of it, ecods.Mesh(vertices, faces)"
 
 REFUSED = [
     (lambda: ecods.distance(V, MESH),
-     f"distance: argument 1 (a) is a numpy array of shape (8, 3); a Mesh or Posed is expected: {MAKE}, and place it with "
+     f"distance: argument 1 (a) is a numpy array of shape (8, 3); a Mesh or Posed or a Rounded or a HalfSpace is expected: {MAKE}, and place it with "
      ".at(pose)"),
     (lambda: ecods.distance(MESH, (V, F)),
-     f"distance: argument 2 (b) is a tuple of 2; a Mesh or Posed is expected: {MAKE}, and place it with .at(pose)"),
+     f"distance: argument 2 (b) is a tuple of 2; a Mesh or Posed or a Rounded or a HalfSpace is expected: {MAKE}, and place it with .at(pose)"),
     (lambda: ecods.distance(MESH, b=Trimesh(V, F)),
-     "distance: argument 2 (b) is a Trimesh; a Mesh or Posed is expected: make one, ecods.Mesh(mesh.vertices, "
+     "distance: argument 2 (b) is a Trimesh; a Mesh or Posed or a Rounded or a HalfSpace is expected: make one, ecods.Mesh(mesh.vertices, "
      "mesh.faces), and place it with .at(pose)"),
     (lambda: ecods.distance(MESH), "distance: argument 2 (b) is missing; the arguments are a, b, witness"),
     (lambda: ecods.distance(MESH, MESH, tolerance=1),
@@ -35,21 +35,21 @@ REFUSED = [
     (lambda: ecods.World(threads="2"), "World: argument 2 (threads) is '2'; a whole number is expected"),
     (lambda: ecods.World(threads=-1), "World: argument 2 (threads) is -1, which is out of range"),
     (lambda: ecods.World().create_body(V, F),
-     f"World.create_body: argument 1 (mesh) is a numpy array of shape (8, 3); a Mesh is expected: {MAKE}"),
+     f"World.create_body: argument 1 (mesh) is a numpy array of shape (8, 3); a Mesh or a Rounded or a HalfSpace is expected: {MAKE}"),
     (lambda: ecods.World().create_body(MESH, None, 3),
      "World.create_body: 3 arguments are given; the arguments are mesh, pose, groups, mask, user_data"),
     (lambda: ecods.World().create_body(MESH, groups=-1),
      "World.create_body: argument 3 (groups) is -1, which is out of range"),
-    (lambda: ecods.World().nearest("a"), "World.nearest: argument 1 (what) is 'a'; a whole number or a Mesh or Posed is expected"),
+    (lambda: ecods.World().nearest("a"), "World.nearest: argument 1 (what) is 'a'; a whole number or a Mesh or Posed or a Rounded or a HalfSpace is expected"),
     (lambda: ecods.World().relation(V, 1),
-     f"World.relation: argument 1 (a) is a numpy array of shape (8, 3); a whole number or a Mesh or Posed is expected: {MAKE}, "
+     f"World.relation: argument 1 (a) is a numpy array of shape (8, 3); a whole number or a Mesh or Posed or a Rounded or a HalfSpace is expected: {MAKE}, "
      "and place it with .at(pose)"),
     (lambda: ecods.World().pose(1.0), "World.pose: argument 1 (body) is 1.0; a whole number is expected"),
     (lambda: ecods.World().pose(V),
      "World.pose: argument 1 (body) is a numpy array of shape (8, 3); a whole number is expected"),
     (lambda: ecods.World().first_hit(V), "World.first_hit: argument 1 (line) is a numpy array of shape (8, 3); a Segment or a Ray is expected"),
     (lambda: ecods.BroadPhase().add(-1, [[0] * 3] * 2), "BroadPhase.add: argument 1 (proxy) is -1, which is out of range"),
-    (lambda: ecods.cast(MESH, [1, 0, 0], None), "cast: argument 3 (b) is None; a Mesh or Posed is expected"),
+    (lambda: ecods.cast(MESH, [1, 0, 0], None), "cast: argument 3 (b) is None; a Mesh or Posed or a HalfSpace is expected"),
     (lambda: ecods.CollisionManager().add_object("a", "b"),
      "mesh: 'b' is no mesh; an ecods.Mesh, an object with `vertices` and `faces`, or the two in a tuple is expected"),
     (lambda: ecods.CollisionManager().add_object("a", V),

@@ -19,7 +19,7 @@ def test_stubs_name_what_there_is():
             assert {member for member in vars(kind) if not member.startswith("_")} <= stubbed, name
     text = ast.unparse(classes["World"])
     assert "def set_pose(self, body: int, pose: ArrayLike) -> None" in text
-    assert "def relation(self, a: int | Posed | Mesh, b: int | Posed | Mesh) -> Relation" in text
+    assert "def relation(self, a: int | Posed | Mesh | PosedRounded | Rounded | PosedHalfSpace | HalfSpace, b: int | Posed | Mesh | PosedRounded | Rounded | PosedHalfSpace | HalfSpace) -> Relation" in text
 
 
 def test_stubs_of_the_inner_module_name_all_that_it_has():

@@ -2,7 +2,7 @@
 """What Doxygen sees of a file. usage: filter.py FILE
 
 Of a header: each plain comment as one that Doxygen reads, the first as the file's, one behind code as that of what is
-before it, and `// ---- TITLE` as the title of a group. Of a guide: links to files that have no page, and pictures, as their words.
+before it, and `// ---- TITLE` as the title of a group. Of a guide: links to files that have no page or within the page, and pictures, as their words.
 """
 import os
 import re
@@ -52,10 +52,10 @@ def header(lines):
 def page(text, file):
     def link(match):
         bang, words, target = match.groups()
-        if target.startswith(("http", "#")):
+        if target.startswith("http"):
             return match.group(0)
         path = os.path.normpath(os.path.join(os.path.dirname(file), target.split("#")[0]))
-        if path in PAGES and not bang:
+        if path in PAGES and not bang and not target.startswith("#"):
             return f"[{words}]({path})"
         return words
     # A title of its own for each page: all of them are README.md, and one is the first page.

@@ -89,6 +89,19 @@ DistanceWorkload bricks(const Gap& gap, std::size_t count) {
     return workload;
 }
 
+// A point and a ball of radius 1; the point is off the sphere by at most this share of the radius.
+DistanceWorkload points_near(const NamedMesh& ball, double share, const char* name, std::size_t count) {
+    const NamedMesh point{"point", Mesh::create({Vec3::Zero()}, {Triangle{0, 0, 0}})};
+    DistanceWorkload workload{{"points, " + ball.name + ", " + name, {point, ball}, {}}, false, true};
+    Random random(11);
+    while (workload.queries.size() < count) {
+        Pose at;
+        at.t = (1 + share * random.uniform(-1, 1)) * random.direction();
+        workload.queries.push_back({{0, at}, {1, Pose{}}});
+    }
+    return workload;
+}
+
 std::shared_ptr<const Mesh> cloud_of_needles() {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -132,6 +145,10 @@ std::vector<DistanceWorkload> distance_workloads(WorkloadSize size) {
     const NamedMesh needles{"needles", cloud_of_needles()};
     workloads.push_back(at_gap(needles, gaps[0], count(60)));
     workloads.push_back(at_gap(needles, gaps[2], count(60)));
+    const NamedMesh small_ball{"ball 320", sphere(16, 11)}, ball{"ball 20k", sphere(160, 65)};
+    workloads.push_back(points_near(small_ball, 0.01, "1e-2", count(2000)));
+    workloads.push_back(points_near(ball, 0.01, "1e-2", count(2000)));
+    if (!is_tiny) workloads.push_back(points_near(ball, 0.5, "0.5", 1000));
     return workloads;
 }
 

@@ -118,7 +118,9 @@ TEST(Tree, TheProductSpeaksPlainly) {
             ADD_FAILURE() << file << ":" << finding.line << ": in place of " << finding.what;
         }
     }
-    for (const char* file : {"README.md", "src/README.md", "src/CHANGELOG.md"}) {
+    for (const char* file :
+         {"README.md", "bench/README.md", "fuzz/README.md", "src/README.md", "src/CHANGELOG.md", "src/cmake/README.md",
+          "src/python/README.md", "verify/README.md", "verify/programs/README.md"}) {
         for (const Finding& finding : find_puzzling_prose(read(root / file))) {
             ADD_FAILURE() << file << ":" << finding.line << ": in place of " << finding.what;
         }

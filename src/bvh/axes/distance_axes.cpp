@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "base/outward.hpp"
 #include "bvh/axes/posed_axes.hpp"
@@ -31,10 +32,23 @@ void DistanceAxes::bind(const PosedTree& a, const PosedTree& b, const Vec3& d) {
     }
 }
 
+void PointAxes::bind(const PosedTree& tree, const Vec3& d) {
+    are_useful_ = tree.tree.frame.is_bounded;
+    if (!are_useful_) return;
+    unit_ = call_widest<ECODS_OF_EACH_SET(bind_point_set)>(set_, tree, d);
+    are_useful_ = is_near(set_) && set_.axes.point_error[0] < std::numeric_limits<float>::infinity();
+}
+
+bool is_near(const DistanceSet& set) noexcept {
+    const auto& shift = set.axes.b.shift;
+    const float most = std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2])});
+    return !(most * std::sqrt(set.square) > static_cast<float>(far_min));
+}
+
 // 1 + 2^-48 covers four roundings of u' each.
 // Claim: verify/proofs/small_bounds.py
-float DistanceAxes::square_above(double distance) const noexcept {
-    const double x = distance / unit_;
+float square_above(double distance, double unit) noexcept {
+    const double x = distance / unit;
     return round_up(x * x * (1 + 0x1p-48) + least_square);
 }
 
@@ -44,12 +58,11 @@ double DistanceAxes::distance_below(float square) const noexcept {
 }
 
 // The errors are derived in triangle_bounds_text.hpp: 9 E, and 4 v of the length. Underflow of the square is below E.
-double DistanceAxes::distance_above(float square) const noexcept {
-    const DistanceSet& set = sets_[0];
+double distance_above(const DistanceSet& set, float square, double unit) noexcept {
     const auto& errors = set.axes.point_error;
     const double error = 9 * static_cast<double>(std::max({errors[0], errors[1], errors[2]}));
     const double length = std::sqrt(static_cast<double>(square)) * (1 + 0x1p-20) + error;
-    return length * std::sqrt(static_cast<double>(set.square_up)) * (1 + 0x1p-40) * unit_;
+    return length * std::sqrt(static_cast<double>(set.square_up)) * (1 + 0x1p-40) * unit;
 }
 
 }  // namespace ecods

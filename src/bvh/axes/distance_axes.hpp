@@ -35,6 +35,18 @@ struct DistanceSet {
     float square_up;
 };
 
+// Returns an upper bound of the squared `distance`, converted to units. `distance` must be >= 0, and may be infinity.
+float square_above(double distance, double unit) noexcept;
+// Returns an upper bound of the distance of two points, one of each of two triangles. `square` is their squared
+// distance on the set's axes as computed (bvh/masks/triangle_bounds.hpp).
+double distance_above(const DistanceSet& set, float square, double unit) noexcept;
+
+// The least distance of far bodies, in units (about the size of the larger tree). Measured counts: beyond it ranks
+// (FarGap) leave fewer pairs than squared distances do. The value affects only the work, not the results.
+inline constexpr double far_min = 0x1p9;
+// True if the origins of the trees are certainly not so far apart, seen on the set's axes.
+bool is_near(const DistanceSet& set) noexcept;
+
 class DistanceAxes {
   public:
     // Binds two posed trees; `d` is fl(t_b - t_a).
@@ -45,19 +57,38 @@ class DistanceAxes {
     // Returns the unit, a power of two: a distance in units times unit() is a distance in the world.
     double unit() const noexcept { return unit_; }
 
-    // square_above() returns an upper bound of the squared `distance`, converted to units. `distance` must be >= 0, and
-    // may be infinity. distance_below() returns a lower bound of the distance in the world whose square in units is
-    // `square`.
-    float square_above(double distance) const noexcept;
+    // Convert between distances and squares, on the first set's axes.
+    float square_above(double distance) const noexcept { return ecods::square_above(distance, unit_); }
+    double distance_above(float square) const noexcept { return ecods::distance_above(sets_[0], square, unit_); }
+    // Returns a lower bound of the distance in the world whose square in units is `square`.
     double distance_below(float square) const noexcept;
-
-    // Returns an upper bound of the distance of two points, one of each of two triangles. `square` is their squared
-    // distance on the first set's axes as computed (bvh/masks/triangle_bounds.hpp).
-    double distance_above(float square) const noexcept;
 
   private:
     std::array<DistanceSet, 2> sets_;
     double unit_ = 1;
+};
+
+// PointAxes projects a point and a posed tree to axes that are good for the tree's boxes: the second set of
+// DistanceAxes, for a first body that is one point, at the origin of the axes.
+class PointAxes {
+  public:
+    // Binds a posed tree; `d` is fl(t - point).
+    void bind(const PosedTree& tree, const Vec3& d);
+
+    // True if squared distances distinguish nodes: the tree is bounded, and the point is not so far away that floats
+    // only order nodes by their positions along the gap (FarGap).
+    bool are_useful() const noexcept { return are_useful_; }
+    const DistanceSet& set() const noexcept { return set_; }
+
+    // Returns the limit of lower bounds that follows from a point of a triangle: `square` is its squared distance on
+    // the axes as computed. A triangle whose bound is greater is further away.
+    float limit_of(float square) const noexcept { return square_above(distance_above(set_, square, unit_)); }
+    float square_above(double distance) const noexcept { return ecods::square_above(distance, unit_); }
+
+  private:
+    DistanceSet set_;
+    double unit_ = 1;
+    bool are_useful_ = false;
 };
 
 // A vector on the axes of the first set. It is zero, or its length is one or slightly less.

@@ -49,6 +49,14 @@ ECODS_ALWAYS_INLINE void bind_set(DistanceSet& set, const EvenAxes& even, const 
     set.square_up = round_up((1 + 2 * even.tau) / even.factor * (1 + 0x1p-18));
 }
 
+[[gnu::noinline]] inline double bind_point_set(DistanceSet& set, const PosedTree& tree, const Vec3& d) noexcept {
+    const Edges point, edges(tree.tree.frame, tree.R);
+    const double unit = power_of_two(largest(absolute(edges.edges)));
+    const Matrix4 own = edges.edges * (1 / unit);
+    bind_set(set, even_axes(own, own), point, edges, load3(d.data()), Own::b, unit);
+    return unit;
+}
+
 [[gnu::noinline]] inline double bind_distance_sets(std::array<DistanceSet, 2>& sets, const PosedTree& a,
                                                    const PosedTree& b, const Vec3& difference) noexcept {
     const Edges edges_a(a.tree.frame, a.R), edges_b(b.tree.frame, b.R);

@@ -26,9 +26,6 @@ namespace {
 
 using namespace axes;
 
-// The least distance of far trees, in units (about the size of the larger tree). Measured counts: beyond it ranks leave
-// fewer pairs than squared distances do. The value affects only the work, not the results.
-constexpr double far_min = 0x1p9;
 constexpr double unit_max = 0x1p400;
 
 }  // namespace
@@ -36,11 +33,8 @@ constexpr double unit_max = 0x1p400;
 void FarGap::bind(const DistanceAxes& axes, const PosedTree& tree_a, const PosedTree& tree_b, const Vec3& d) {
     is_far_ = false;
     const DistanceSet& set = axes.sets()[0];
-    const auto& shift = set.axes.b.shift;
-    const float most = std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2])});
     unit_ = axes.unit();
-    const bool may_be_far = most * std::sqrt(set.square) > static_cast<float>(far_min);
-    if (!may_be_far || !(unit_ < unit_max && unit_ > 1 / unit_max)) return;
+    if (is_near(set) || !(unit_ < unit_max && unit_ > 1 / unit_max)) return;
     const FarRow row = call_widest<ECODS_OF_EACH_SET(row_along)>(tree_a, tree_b, d, unit_);
     if (!(row.margin < infinity && row.length >= 0.5 && row.length < 2)) return;
     is_far_ = true;

@@ -37,6 +37,12 @@ struct EdgesOf {
 };
 
 struct Edges : EdgesOf<Double4> {
+    // Makes the edges of a point that is the origin of its body.
+    ECODS_ALWAYS_INLINE Edges() noexcept {
+        edges = Matrix4{};
+        size = origin = origin_size = Double4{};
+        factor = scale = 1;
+    }
     ECODS_ALWAYS_INLINE Edges(const LocalFrame& frame, const Mat3& R) noexcept
         : EdgesOf(load3(R), load3(frame.map), load3(frame.map_size.data()), load3(frame.center.data()), frame.size_max,
                   frame.scale) {}

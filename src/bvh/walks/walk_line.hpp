@@ -9,16 +9,11 @@
 
 #include "bvh/axes/line_axes.hpp"
 #include "bvh/masks/projected_lanes.hpp"
+#include "bvh/walks/node_stack.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/vec.hpp"
 
 namespace ecods {
-
-// A node or leaf to be visited, and a lower bound of the parameter r at which the line meets it.
-struct LineNode {
-    float from;
-    TreeRef ref;
-};
 
 // Sets of triangles of a leaf, as masks of lanes.
 struct FoundInLeaf {
@@ -148,39 +143,14 @@ struct LineLanes : ProjectedLanes<width> {
         found.inside = bits_of(inside) & found.cross;
     }
 
-    // Prefetches a node or leaf that will be visited soon.
-    ECODS_ALWAYS_INLINE static void prefetch(const MeshBvh& tree, TreeRef ref) noexcept {
-        constexpr std::size_t line = 64;
-        const char* const first = ref.is_leaf() ? reinterpret_cast<const char*>(&tree.leaves[ref.index()])
-                                                : reinterpret_cast<const char*>(&tree.nodes[ref.index()]);
-        const std::size_t size = ref.is_leaf() ? sizeof(TreeLeaf) : sizeof(BvhNode);
-        for (std::size_t i = 0; i < size; i += line) __builtin_prefetch(first + i);
-    }
-
-    // Pushes the children in `lanes` on the stack that ends at `top`, sorted such that the nearest is on top. Returns
-    // the new top.
-    ECODS_ALWAYS_INLINE static LineNode* push(const MeshBvh& tree, const BvhNode& node, std::uint32_t lanes,
-                                              const FloatLanes& from, LineNode* top) noexcept {
-        LineNode* const first = top;
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-            const LineNode next{from[lane], node.child[lane]};
-            prefetch(tree, next.ref);
-            LineNode* at = top++;
-            for (; at > first && at[-1].from < next.from; --at) *at = at[-1];
-            *at = next;
-        }
-        return top;
-    }
-
     template <class Result>
-    ECODS_ALWAYS_INLINE static void walk(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack,
+    ECODS_ALWAYS_INLINE static void walk(const MeshBvh& tree, const LinePart& line, std::vector<OrderedNode>& stack,
                                          Result& result) {
         alignas(32) FloatLanes from;
         FoundInLeaf found;
         if (stack.size() < 2 * tree_width) stack.resize(2 * tree_width);
         std::size_t depth = 0;
-        LineNode at{0, tree.root};
+        OrderedNode at{0, tree.root};
         for (;;) {
             if (at.ref.is_leaf()) {
                 const TreeLeaf& leaf = tree.leaves[at.ref.index()];
@@ -196,8 +166,8 @@ struct LineLanes : ProjectedLanes<width> {
                     continue;
                 }
                 if (depth + tree_width > stack.size()) stack.resize(2 * stack.size());
-                LineNode* const first = stack.data();
-                depth = static_cast<std::size_t>(push(tree, node, lanes, from, first + depth) - first);
+                OrderedNode* const first = stack.data();
+                depth = static_cast<std::size_t>(push_nearest_last(tree, node, lanes, from, first + depth) - first);
             }
             do {
                 if (depth == 0) return;
@@ -213,7 +183,7 @@ struct LineLanes : ProjectedLanes<width> {
 // skipped. `result.visit(leaf, found)` is called for each visited leaf, with the triangles that the line may meet; it
 // may lower the limit. `result.visit_node()` is called for each visited inner node. `stack` is scratch.
 template <class Result>
-void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<LineNode>& stack, Result& result) {
+void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<OrderedNode>& stack, Result& result) {
     dispatch_by_width<LineLanes<4>::template walk<Result>, LineLanes<8>::template walk<Result>>(tree, line, stack,
                                                                                                 result);
 }

@@ -24,6 +24,8 @@ class Integer {
         size_ = small_[1] != 0 ? 2 : small_[0] != 0 ? 1 : 0;
         is_negative_ = x < 0;
     }
+    // Converts a magnitude and a sign.
+    Integer(NaturalSpan magnitude, bool is_negative) { assign(magnitude, is_negative); }
     // Converts an integer in two's complement.
     template <std::size_t L>
     explicit Integer(const std::array<std::uint64_t, L>& x) {

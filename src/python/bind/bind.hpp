@@ -9,8 +9,11 @@ namespace ecods::python {
 void bind_enums(pybind11::module_& m);
 void bind_errors(pybind11::module_& m);
 void bind_meshes(pybind11::module_& m);
+void bind_builders(pybind11::module_& m);
 void bind_results(pybind11::module_& m);
 void bind_pair_questions(pybind11::module_& m);
+void bind_rounded(pybind11::module_& m);
+void bind_half_spaces(pybind11::module_& m);
 void bind_line_questions(pybind11::module_& m);
 void bind_solid_questions(pybind11::module_& m);
 void bind_many(pybind11::module_& m);

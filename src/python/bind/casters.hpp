@@ -183,9 +183,18 @@ ECODS_PYTHON_VALUE(ecods::BodyPair, "Tuple[int, int]", ecods::python::to_pair<ec
 ECODS_PYTHON_VALUE(ecods::TrianglePair, "Tuple[int, int]", ecods::python::to_pair<ecods::TrianglePair>,
                    ecods::python::from_pair<ecods::TrianglePair>);
 ECODS_PYTHON_VALUE(ecods::ShapeKind, "int", ecods::python::to_kind, ecods::python::from_kind);
-ECODS_PYTHON_VALUE(ecods::Vec3, "numpy.ndarray", ecods::python::to_point, ecods::python::from_vec3);
 ECODS_PYTHON_VALUE(ecods::Pose, "numpy.ndarray", ecods::python::to_pose, ecods::python::from_pose);
 ECODS_PYTHON_VALUE(ecods::Aabb, "numpy.ndarray", ecods::python::to_box, ecods::python::from_box);
 #undef ECODS_PYTHON_VALUE
+
+// An object of the module's own is no point, so that a function may take a point or a body in one place.
+template <>
+struct type_caster<ecods::Vec3> : ecods_value_caster<ecods::Vec3, ecods::python::to_point, ecods::python::from_vec3> {
+    static constexpr auto name = const_name("numpy.ndarray");
+
+    bool load(handle source, bool converts) {
+        return get_type_info(Py_TYPE(source.ptr())) == nullptr && ecods_value_caster::load(source, converts);
+    }
+};
 
 }  // namespace pybind11::detail

@@ -95,8 +95,8 @@ void bind_enums(py::module_& m) {
     make<NotSolid::Reason>(m, "NotSolidReason", "The reason of a NotSolid.",
                            {"open_edge", "self_intersection", "dent", "no_interior"});
     make<Argument>(m, "Argument", "The argument that InvalidArgument is about.",
-                   {"pose", "box", "segment", "ray", "point", "motion", "ball", "distance", "time", "list_length",
-                    "null", "mesh_and_shape"});
+                   {"pose", "box", "segment", "ray", "point", "motion", "ball", "half_space", "distance", "time",
+                    "list_length", "null", "mesh_and_shape", "size", "count", "polygon"});
 }
 
 }  // namespace ecods::python

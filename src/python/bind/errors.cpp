@@ -93,11 +93,12 @@ void add_input_errors(py::module_& m) {
         m, "NotSolid",
         "A mesh or points bound no solid, or no convex one. `reason` is a NotSolidReason: open_edge (`triangle`, "
         "`corner`, `vertices`, `points`); self_intersection (`triangles`); dent (`triangle`, `corner`, "
-        "`vertices`, and `beyond`, a vertex beyond the triangle's plane); no_interior (`point_count`).",
+        "`vertices`, and `beyond`, a vertex beyond the triangle's plane by `depth`); no_interior (`point_count`).",
         member("reason", &NotSolid::reason), member("triangle", &NotSolid::triangle),
         member("corner", &NotSolid::corner), member("vertices", &NotSolid::vertices),
         member("points", &NotSolid::points), member("triangles", &NotSolid::triangles),
-        member("beyond", &NotSolid::beyond), member("point_count", &NotSolid::point_count));
+        member("beyond", &NotSolid::beyond), member("depth", &NotSolid::depth),
+        member("point_count", &NotSolid::point_count));
     using Bad = InvalidArgument;
     add<Bad>(m, "InvalidArgument",
              "An argument of a call cannot be used: a number in it is bad, or it is None. `argument` is an Argument; "

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <span>
+#include <vector>
 
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
@@ -113,6 +115,52 @@ py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh&
     return sides;
 }
 
+// Calls ask(points of a part, index of its first point) on several threads. An error names the index among all points.
+template <class AskPart>
+void ask_about_points(const Doubles& rows, std::size_t threads, const AskPart& ask) {
+    std::vector<Vec3> points;
+    const auto count = static_cast<std::size_t>(rows.shape(0));
+    points.reserve(count);
+    for (const double* x = rows.data(); points.size() < count; x += 3) points.emplace_back(x[0], x[1], x[2]);
+    in_parts(count, threads, [&](std::size_t begin, std::size_t end) {
+        try {
+            ask(std::span<const Vec3>(points).subspan(begin, end - begin), begin);
+        } catch (const InvalidArgument& error) {
+            if (!error.index) throw;
+            throw error.at({}, begin + *error.index);
+        }
+    });
+}
+
+py::array_t<double> signed_distance_many(const py::object& points, const PosedMesh& body, std::size_t threads) {
+    const Doubles rows = exact_points(points, "points");
+    py::array_t<double> numbers(rows.shape(0));
+    double* const out = numbers.mutable_data();
+    ask_about_points(rows, threads, [&](std::span<const Vec3> part, std::size_t begin) {
+        std::ranges::copy(signed_distance(part, body), out + begin);
+    });
+    return numbers;
+}
+
+py::tuple closest_many(const py::object& points, const PosedMesh& body, std::size_t threads) {
+    const Doubles rows = exact_points(points, "points");
+    py::array_t<double> nearest({rows.shape(0), py::ssize_t{3}});
+    py::array_t<double> distances(rows.shape(0));
+    py::array_t<std::int64_t> triangles(rows.shape(0));
+    double* const p = nearest.mutable_data();
+    double* const d = distances.mutable_data();
+    std::int64_t* const t = triangles.mutable_data();
+    ask_about_points(rows, threads, [&](std::span<const Vec3> part, std::size_t begin) {
+        for (std::size_t i = begin; const ClosestPoint& found : closest(part, body)) {
+            for (int axis = 0; axis < 3; ++axis) p[3 * i + static_cast<std::size_t>(axis)] = found.point[axis];
+            d[i] = found.distance;
+            t[i] = found.feature == no_feature ? -1 : std::int64_t{found.feature.triangle};
+            ++i;
+        }
+    });
+    return py::make_tuple(nearest, distances, triangles);
+}
+
 }  // namespace
 
 void bind_many(py::module_& m) {
@@ -144,6 +192,12 @@ void bind_many(py::module_& m) {
           "first_hit() of rays with origins (k, 3) and directions (k, 3): parameters (k,) float64, NaN for a ray that "
           "hits nothing, and triangles (k,) int64, -1 for such a ray and for one that begins inside a Solid, whose "
           "parameter is 0. Raises InvalidArgument.");
+    m.def("closest_many", &closest_many, py::arg("points"), py::arg("body"), py::arg("threads") = 1,
+          "closest_point() of points (k, 3) and a body: the closest points (k, 3) float64, the distances (k,) float64 "
+          "and the "
+          "triangles (k,) int64, -1 for a point inside a Solid. Raises InvalidArgument with the index.");
+    m.def("signed_distance_many", &signed_distance_many, py::arg("points"), py::arg("body"), py::arg("threads") = 1,
+          "signed_distance() of points (k, 3) and a body: (k,) float64. Raises InvalidArgument with the index.");
     m.def("locate_many", &locate_many, py::arg("points"), py::arg("solid"), py::arg("threads") = 1,
           "locate() of points (k, 3): (k,) uint8, values of Side. Raises InvalidArgument.");
 }

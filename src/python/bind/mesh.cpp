@@ -160,12 +160,6 @@ void add_solids(py::module_& m) {
         "Raises InvalidMesh, NotSolid.");
 }
 
-// Returns a pose as text, such as "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]".
-std::string pose_text(const char* name, const Pose& pose) {
-    const py::list rows = from_pose(pose).attr("tolist")();
-    return std::string(name) + "=" + std::string(py::repr(rows[py::slice(0, 3, 1)]));
-}
-
 std::shared_ptr<MeshShape> require(std::shared_ptr<MeshShape> mesh) {
     if (!mesh) throw InvalidArgument("mesh is null", Argument::null, "mesh");
     return mesh;

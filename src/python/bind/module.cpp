@@ -9,10 +9,13 @@ PYBIND11_MODULE(_ecods, m) {
     bind_enums(m);
     bind_errors(m);
     bind_meshes(m);
+    bind_builders(m);
     bind_results(m);
     bind_pair_questions(m);
+    bind_rounded(m);
     bind_line_questions(m);
     bind_solid_questions(m);
+    bind_half_spaces(m);
     bind_many(m);
     bind_predicates(m);
     bind_certificates(m);

@@ -43,6 +43,11 @@ void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py:
         "negative or NaN.");
     m.def("closest", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(closest)), a, b, witness,
           "ClosestPoints: two points at the least distance, and the features that hold them.");
+    m.def("closest_point", asked<Vec3, PosedMesh>(ECODS_QUESTION(closest)), py::arg("point"), py::arg("body"),
+          "ClosestPoint of a body to a point (3,); at distance 0 inside a Solid. Exact. Raises InvalidArgument.");
+    m.def("signed_distance", asked<Vec3, PosedMesh>(ECODS_QUESTION(signed_distance)), py::arg("point"), py::arg("body"),
+          "The distance of a point (3,) from the body's surface, rounded once: negative inside a Solid, 0 exactly on "
+          "the surface. (The sign of trimesh is the other one.) Raises InvalidArgument.");
     m.def(
         "distance_bounds",
         [](const PosedMesh& x, const PosedMesh& y, double relative, double absolute, double most, PairWitness* known) {
@@ -52,6 +57,11 @@ void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py:
         a, b, py::arg("relative") = 0.0, py::arg("absolute") = 0.0, py::arg("max_distance") = infinity, witness,
         "An interval with the distance in it: upper - lower <= max(absolute, relative * lower), or both are adjacent "
         "doubles. Once lower is above max_distance, upper may be infinity. Raises InvalidArgument.");
+    m.def(
+        "signed_distance_bounds", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(signed_distance_bounds)), a,
+        b, witness,
+        "An interval with the signed distance in it: the distance, minus the depth of two solids, or 0 where a surface "
+        "is met. Both ends are the same number, unless solids overlap that are not both convex.");
     m.def(
         "close_triangles", asked<PosedMesh, PosedMesh, double>(ECODS_QUESTION(close_triangles)), a, b, max_distance,
         "Every pair of triangles within max_distance, as a list of ClosestPoints; what is inside a solid is not asked. "

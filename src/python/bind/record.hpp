@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
 
+#include "ecods/shape.hpp"
 #include "ecods/trace.hpp"
 #include "python/bind/casters.hpp"
 
@@ -16,6 +18,9 @@ namespace ecods::python {
 template <class T>
 bool are_same(const T& a, const T& b) {
     return a == b;
+}
+inline bool are_same(const std::shared_ptr<ConvexSolid>& a, const std::shared_ptr<ConvexSolid>& b) {
+    return a == b || (a && b && a->digest() == b->digest());
 }
 inline bool are_same(const ClosestPoints& a, const ClosestPoints& b) {
     return a.distance == b.distance && a.kind == b.kind && a.a == b.a && a.b == b.b && a.point_a == b.point_a &&

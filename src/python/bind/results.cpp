@@ -42,6 +42,13 @@ void add_features(py::module_& m) {
         Field{"point_b", &ClosestPoints::point_b, "(3,) float64, each coordinate rounded once."});
     add_triangles(closest);
 
+    add_record(m, "ClosestPoint",
+               "The point of a body that is closest to a given point, and the feature that holds it: the face of the "
+               "least triangle if the given point is on the surface, of kind `none` if it is inside a Solid.",
+               Field{"distance", &ClosestPoint::distance, "The true distance, rounded once."},
+               Field{"feature", &ClosestPoint::feature, "The feature that holds the point."},
+               Field{"point", &ClosestPoint::point, "(3,) float64, each coordinate rounded once."});
+
     add_record(m, "CloseFeatures", "Two features that are near each other (close_features).",
                Field{"closest", &CloseFeatures::closest, "Distance, features and points."},
                Field{"direction", &CloseFeatures::direction,

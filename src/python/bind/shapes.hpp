@@ -4,8 +4,11 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 
+#include "ecods/half_space.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/rounded.hpp"
 #include "ecods/shape.hpp"
 #include "python/bind/casters.hpp"
 
@@ -15,10 +18,34 @@ namespace ecods::python {
 // object keeps its shape alive.
 using PosedMesh = Posed<MeshShape>;
 using MovingMesh = Moving<MeshShape>;
+using PosedRounded = Posed<Rounded>;
+using PosedHalfSpace = Posed<HalfSpace>;
 
 // Returns a shape as pybind11 holds it, without const. No function that is bound changes it.
 inline std::shared_ptr<MeshShape> to_python(const std::shared_ptr<const ecods::Shape>& shape) {
     return std::const_pointer_cast<MeshShape>(std::static_pointer_cast<const MeshShape>(shape));
+}
+
+// A shape of any class that Python has.
+using AnyShape = std::variant<std::shared_ptr<MeshShape>, std::shared_ptr<Rounded>, std::shared_ptr<HalfSpace>>;
+
+inline AnyShape to_any_shape(const std::shared_ptr<const ecods::Shape>& shape) {
+    if (auto rounded = std::dynamic_pointer_cast<const Rounded>(shape)) {
+        return std::const_pointer_cast<Rounded>(std::move(rounded));
+    }
+    if (auto half_space = std::dynamic_pointer_cast<const HalfSpace>(shape)) {
+        return std::const_pointer_cast<HalfSpace>(std::move(half_space));
+    }
+    return to_python(shape);
+}
+inline std::shared_ptr<const ecods::Shape> to_shape(const AnyShape& shape) {
+    return std::visit([](const auto& one) -> std::shared_ptr<const ecods::Shape> { return one; }, shape);
+}
+
+// Returns a pose as text, such as "pose=[[1.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]".
+inline std::string pose_text(const char* name, const Pose& pose) {
+    const py::list rows = from_pose(pose).attr("tolist")();
+    return std::string(name) + "=" + std::string(py::repr(rows[py::slice(0, 3, 1)]));
 }
 
 // Returns the posed mesh with its shape as a Solid or a ConvexSolid, `Shape`. Throws TypeError if the shape is not one.

@@ -2,6 +2,7 @@
 #include "ecods/solid.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
+#include "python/bind/record.hpp"
 #include "python/bind/shapes.hpp"
 
 namespace ecods::python {
@@ -45,6 +46,23 @@ void add_checks(py::module_& m) {
         "Every pair of triangles that share a segment or more that is not a side of both: (k, 2) uint32.");
 }
 
+void add_signed_distance(py::module_& m) {
+    add_record(
+        m, "SignedDistance",
+        "The signed distance of two convex solids, and two points: the closest ones of solids that are apart, "
+        "otherwise "
+        "those that the shortest translation of b by point_a - point_b brings together. point_b - point_a is distance "
+        "times direction.",
+        Field{"distance", &SignedDistance::distance,
+              "The distance, or minus the depth, rounded once; 0 if they touch."},
+        Field{"kind", &SignedDistance::kind, "ClosestKind of the features."},
+        Field{"a", &SignedDistance::a, "The feature that holds point_a."},
+        Field{"b", &SignedDistance::b, "The feature that holds point_b."},
+        Field{"point_a", &SignedDistance::point_a, "(3,) float64, each coordinate rounded once."},
+        Field{"point_b", &SignedDistance::point_b, "(3,) float64, each coordinate rounded once."},
+        Field{"direction", &SignedDistance::direction, "Unit vector (3,), out of a; the direction of the depth, too."});
+}
+
 }  // namespace
 
 void bind_solid_questions(py::module_& m) {
@@ -64,6 +82,9 @@ void bind_solid_questions(py::module_& m) {
           "DepthBounds of two Solids, convex or not; None if they share no point. Raises SingularPose.");
     m.def("depth", asked_of_convex_solids(ECODS_QUESTION(depth)), a, b, witness,
           "Depth of two ConvexSolids in each other; None if they share no point. Raises SingularPose.");
+    add_signed_distance(m);
+    m.def("signed_distance", asked_of_convex_solids(ECODS_QUESTION(signed_distance)), a, b, witness,
+          "SignedDistance of two ConvexSolids. Raises SingularPose.");
 }
 
 }  // namespace ecods::python

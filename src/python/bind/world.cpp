@@ -1,13 +1,15 @@
 // Binds World: its bodies and their properties.
 #include "python/bind/world.hpp"
 
+#include <string>
+#include <variant>
+
+#include "ecods/error.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/record.hpp"
 
 namespace ecods::python {
 namespace {
-
-using Shape = std::shared_ptr<MeshShape>;
 
 // Returns the pose to which a body is to move. An error names the body, like the errors of World::set_pose.
 Pose pose_for(BodyId body, const py::object& pose) {
@@ -21,15 +23,19 @@ Pose pose_for(BodyId body, const py::object& pose) {
 void add_bodies(WorldClass& type, const py::arg& body) {
     type.def(
         "create_body",
-        [](SharedWorld& self, const Shape& mesh, const Pose& pose, std::uint64_t groups, std::uint64_t mask,
+        [](SharedWorld& self, const AnyShape& mesh, const Pose& pose, std::uint64_t groups, std::uint64_t mask,
            std::uint64_t user_data) {
-            const BodyOptions options{
-                .shape = mesh, .pose = pose, .filter = {.groups = groups, .mask = mask}, .user_data = user_data};
+            const BodyOptions options{.shape = to_shape(mesh),
+                                      .pose = pose,
+                                      .filter = {.groups = groups, .mask = mask},
+                                      .user_data = user_data};
             return self.change([&](World& world) { return world.create_body(options); });
         },
         py::arg("mesh"), py::arg("pose") = py::none(), py::kw_only(), py::arg("groups") = CollisionFilter{}.groups,
         py::arg("mask") = CollisionFilter{}.mask, py::arg("user_data") = 0,
-        "Makes a body and returns its id, an int. Bodies of one Mesh share its tree. `groups` and `mask` are bits: two "
+        "Makes a body of a Mesh, Solid, ConvexSolid, Rounded or HalfSpace, and returns its id, an int. Bodies of one "
+        "Mesh share "
+        "its tree. `groups` and `mask` are bits: two "
         "bodies may meet if each is in a group that the other's mask names. Raises InvalidArgument.");
     type.def("destroy_body", changing(&World::destroy_body), body,
              "Destroys a body; its id is stale from now on. Raises StaleBody, as every call that is given an id does.");
@@ -53,11 +59,11 @@ void add_bodies(WorldClass& type, const py::arg& body) {
         "InvalidArgument or StaleBody, with the index of the entry.");
     type.def(
         "set_shape",
-        [](SharedWorld& self, BodyId id, const Shape& mesh) {
-            const std::shared_ptr<const ecods::Shape> shape = mesh;
-            self.change([&](World& world) { world.set_shape(id, shape); });
+        [](SharedWorld& self, BodyId id, const AnyShape& mesh) {
+            self.change([&](World& world) { world.set_shape(id, to_shape(mesh)); });
         },
-        body, py::arg("mesh"), "Gives a body another mesh; Mesh.refit() makes one for a mesh that deforms.");
+        body, py::arg("mesh"),
+        "Gives a body another Mesh, Rounded or HalfSpace; Mesh.refit() makes one for a mesh that deforms.");
     type.def("set_user_data", changing(&World::set_user_data), body, py::arg("data"),
              "Stores a number of the caller's, below 2**64, with the body.");
     type.def("reserve", changing(&World::reserve), py::arg("body_count"), "Reserves memory for so many bodies.");
@@ -71,14 +77,30 @@ void add_facts(WorldClass& type, const py::arg& body) {
         },
         body, "True if the id names a body of this world.");
     type.def("pose", reading(&World::pose), body, "The pose set last, (4, 4) float64.");
-    const auto mesh = [](const SharedWorld& self, BodyId id) { return to_python(reading(&World::shape)(self, id)); };
-    type.def("mesh", mesh, body, "The Mesh, Solid or ConvexSolid set last.");
+    const auto shape = [](const SharedWorld& self, BodyId id) {
+        return to_any_shape(reading(&World::shape)(self, id));
+    };
+    type.def("shape", shape, body, "The Mesh, Solid, ConvexSolid, Rounded or HalfSpace set last.");
+    type.def(
+        "mesh",
+        [shape](const SharedWorld& self, BodyId id) {
+            const AnyShape found = shape(self, id);
+            if (const auto* mesh = std::get_if<std::shared_ptr<MeshShape>>(&found)) return *mesh;
+            throw NotSupported("slot " + std::to_string(id.slot) +
+                               ": its body is a Rounded or a HalfSpace, and no mesh; see shape()");
+        },
+        body, "The Mesh, Solid or ConvexSolid set last. Raises NotSupported for a Rounded or a HalfSpace.");
     type.def(
         "posed",
-        [mesh](const SharedWorld& self, BodyId id) {
-            return PosedMesh(mesh(self, id), reading(&World::pose)(self, id));
+        [shape](const SharedWorld& self, BodyId id) {
+            const Pose pose = reading(&World::pose)(self, id);
+            return std::visit(
+                [&](auto one) -> std::variant<PosedMesh, PosedRounded, PosedHalfSpace> {
+                    return Posed(std::move(one), pose);
+                },
+                shape(self, id));
         },
-        body, "The body as a Posed, for questions that need no world.");
+        body, "The body as a Posed, PosedRounded or PosedHalfSpace, for questions that need no world.");
     type.def("box", reading(&World::box), body, "A box (2, 3) that contains the body.");
     type.def("user_data", reading(&World::user_data), body, "The number given last; 0 at first.");
     type.def(

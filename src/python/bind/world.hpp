@@ -75,8 +75,8 @@ auto reading(Result (World::*call)(Given...) const) {
     };
 }
 
-// Holds what a question is about: a body of the world, or a posed mesh.
-using Subject = std::variant<BodyId, PosedMesh>;
+// Holds what a question is about: a body of the world, or a posed shape.
+using Subject = std::variant<BodyId, PosedMesh, PosedRounded, PosedHalfSpace>;
 
 inline Asked to_asked(const Subject& subject, const std::optional<CollisionFilter>& filter = {}) {
     Asked asked = std::visit([](const auto& what) { return Asked(what); }, subject);

@@ -11,14 +11,13 @@ namespace {
 
 constexpr int state_version = 2;
 
-using SharedMesh = std::shared_ptr<MeshShape>;
 using Numbers = py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>;
 
 // Holds the present state of a world; lists by body are in the order of `bodies`.
 struct Scene {
     std::vector<BodyId> bodies;
     std::vector<BodyId> next_ids;
-    std::vector<SharedMesh> meshes;  // each mesh once
+    std::vector<AnyShape> meshes;  // each shape once
     std::vector<std::uint64_t> mesh_of;
     std::vector<Pose> poses;
     std::vector<std::uint64_t> groups, masks, data;
@@ -35,7 +34,7 @@ Scene scene_of(const World& world) {
     for (const BodyId body : scene.bodies) {
         const auto shape = world.shape(body);
         const auto [at, is_new] = known.emplace(shape.get(), scene.meshes.size());
-        if (is_new) scene.meshes.push_back(to_python(shape));
+        if (is_new) scene.meshes.push_back(to_any_shape(shape));
         scene.mesh_of.push_back(at->second);
         scene.poses.push_back(world.pose(body));
         scene.groups.push_back(world.filter(body).groups);
@@ -79,7 +78,7 @@ Scene scene_from(const py::tuple& state) {
     Scene scene;
     scene.bodies = to_bodies(state[3]);
     scene.next_ids = to_bodies(state[4]);
-    scene.meshes = state[5].cast<std::vector<SharedMesh>>();
+    scene.meshes = state[5].cast<std::vector<AnyShape>>();
     scene.mesh_of = to_numbers(state[6]);
     scene.poses = to_poses(state[7], scene.bodies);
     scene.groups = to_numbers(state[8]);
@@ -102,7 +101,7 @@ void make(const Scene& scene, World& world) {
     world.reserve(scene.bodies.size());
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const CollisionFilter filter{.groups = scene.groups[i], .mask = scene.masks[i]};
-        world.create_body({.shape = scene.meshes[scene.mesh_of[i]],
+        world.create_body({.shape = to_shape(scene.meshes[scene.mesh_of[i]]),
                            .pose = scene.poses[i],
                            .filter = filter,
                            .user_data = scene.data[i]});

@@ -31,6 +31,8 @@ void add_pair_questions(WorldClass& type) {
     type.def(
         "depth", asked_of_pair<>(ECODS_CALL(depth)), a, b,
         "Depth of two ConvexSolids in each other; None if they share no point. Raises NotSupported, SingularPose.");
+    type.def("signed_distance", asked_of_pair<>(ECODS_CALL(signed_distance)), a, b,
+             "SignedDistance of two ConvexSolids. Raises NotSupported, SingularPose.");
     type.def("depth_bounds", asked_of_pair<>(ECODS_CALL(depth_bounds)), a, b,
              "DepthBounds of two Solids; None if they share no point. Raises NotSupported, SingularPose.");
 }

@@ -46,12 +46,12 @@ def _faces(names, a, b):
             for name, feature in zip(names, (a, b))}
 
 
-def _depth(a, b):
-    """Returns the Depth of two posed ConvexSolids that share a point; None of others, and where one is flat."""
+def _signed_distance(a, b):
+    """Returns the SignedDistance of two posed ConvexSolids; None of others, and where one is flat."""
     if a.mesh.form != _ecods.MeshForm.convex or b.mesh.form != _ecods.MeshForm.convex:
         return None
     try:
-        return _ecods.depth(a, b)
+        return _ecods.signed_distance(a, b)
     except _ecods.SingularPose:
         return None
 
@@ -59,10 +59,11 @@ def _depth(a, b):
 class ContactData:
     """Two bodies that share a point: of two ConvexSolids one contact, of others each pair of triangles that share one.
 
-    point: (3,) float, a point that both share: the lexicographically least corner of what the two triangles share, of
-    ConvexSolids the least two; where no triangles do, a corner of what is inside. It is not the deepest one. normal:
-    (3,) float, the direction of the depth; of two triangles the unit normal that a face or two edges define there; NaN if
-    there is none. depth: the exact depth of two ConvexSolids in each other; otherwise NaN.
+    point: (3,) float; of two ConvexSolids the middle of the two points of their SignedDistance, which the shortest
+    translation brings together; otherwise a point that both share: the lexicographically least corner of what two
+    triangles share, or where no triangles do, a corner of what is inside. normal: (3,) float, the direction of the depth;
+    of two triangles the unit normal that a face or two edges define there; NaN if there is none. depth: the exact depth
+    of two ConvexSolids in each other; otherwise NaN.
     """
 
     def __init__(self, names, faces, point, normal, depth):
@@ -81,16 +82,18 @@ class ContactData:
 
 
 class DistanceData:
-    """The closest points of two bodies, and their signed distance: negative is how deep two ConvexSolids are.
+    """Two points of two bodies, and their signed distance: negative is how deep two ConvexSolids are in each other.
 
-    Where they share a point, both points are the same: one that they share, and not the deepest.
+    The points are the closest ones. Of two ConvexSolids that share a point they are the two that the shortest translation
+    brings together. Of other bodies that do, both are one point that they share.
     """
 
-    def __init__(self, names, closest, distance):
+    def __init__(self, names, a, b):
+        at = _signed_distance(a, b) or _ecods.closest(a, b)
         self.names = set(names)
-        self.distance = distance
-        self._indices = _faces(names, closest.a, closest.b)
-        self._points = dict(zip(names, (closest.point_a, closest.point_b)))
+        self.distance = at.distance
+        self._indices = _faces(names, at.a, at.b)
+        self._points = dict(zip(names, (at.point_a, at.point_b)))
 
     def __repr__(self):
         return _text_of(self, distance=self.distance, points=[point.tolist() for point in self._points.values()])
@@ -106,10 +109,10 @@ class DistanceData:
 
 def _contacts(names, a, b):
     """Returns the list of ContactData of two posed bodies that share a point."""
-    depth = _depth(a, b)
-    if depth is not None:
-        point = _ecods.closest(a, b).point_a
-        return [ContactData(names, _faces(names, depth.a, depth.b), point, depth.direction, depth.depth)]
+    deep = _signed_distance(a, b)
+    if deep is not None:
+        middle = 0.5 * deep.point_a + 0.5 * deep.point_b
+        return [ContactData(names, _faces(names, deep.a, deep.b), middle, deep.direction, 0.0 - deep.distance)]
     shared = _ecods.intersections(a, b)
     if not shared:
         inner = _ecods.closest(a, b)
@@ -120,8 +123,8 @@ def _contacts(names, a, b):
 
 def _signed(a, b):
     """Returns the signed distance of two posed bodies that share a point."""
-    depth = _depth(a, b)
-    return 0.0 if depth is None else 0.0 - depth.depth
+    deep = _signed_distance(a, b)
+    return 0.0 if deep is None else deep.distance
 
 
 def _answer(first, *rest):
@@ -255,7 +258,7 @@ class CollisionManager:
         name = self._names[body]
         data = None
         if return_data:
-            data = DistanceData((name, EXTERNAL), _ecods.closest(self._world.posed(body), external), distance)
+            data = DistanceData((name, EXTERNAL), self._world.posed(body), external)
         return _answer(distance, (return_name, name), (return_data, data))
 
     def min_distance_internal(self, name=None, return_names=False, return_data=False):
@@ -265,7 +268,7 @@ class CollisionManager:
             return _answer(math.inf, (return_names, None), (return_data, None))
         distance, bodies = found
         pair = tuple(self._names[body] for body in bodies)
-        data = DistanceData(pair, self._world.closest(*bodies), distance) if return_data else None
+        data = DistanceData(pair, *map(self._world.posed, bodies)) if return_data else None
         return _answer(distance, (return_names, self._names_in_order(bodies)), (return_data, data))
 
     def min_distance_other(self, other_manager, return_names=False, return_data=False):
@@ -276,5 +279,5 @@ class CollisionManager:
             if nearest is not None and (pair is None or nearest[0] < best):
                 best, pair = nearest[0], (self._names[nearest[1]], other_name)
                 posed = (self._world.posed(nearest[1]), other)
-        data = DistanceData(pair, _ecods.closest(*posed), best) if return_data and pair is not None else None
+        data = DistanceData(pair, *posed) if return_data and pair is not None else None
         return _answer(best, (return_names, pair), (return_data, data))

@@ -8,7 +8,8 @@ import numpy as np
 from . import _ecods
 
 MAKE_A_MESH = "make an ecods.Mesh of it, ecods.Mesh(vertices, faces)"
-PLAIN = {"int": "a whole number", "float": "a number", "str": "a text", "Posed": "a Mesh or Posed"}
+PLAIN = {"int": "a whole number", "float": "a number", "str": "a text", "Posed": "a Mesh or Posed",
+         "PosedRounded": "a Rounded", "PosedHalfSpace": "a HalfSpace"}
 
 
 def with_article(noun):
@@ -59,6 +60,10 @@ def accepts(kind, value):
         return isinstance(value, named) or isinstance(value, str) and value in named.__members__
     if kind == "Posed":
         return isinstance(value, (_ecods.Posed, _ecods.Mesh))
+    if kind == "PosedRounded":
+        return isinstance(value, (_ecods.PosedRounded, _ecods.Rounded))
+    if kind == "PosedHalfSpace":
+        return isinstance(value, (_ecods.PosedHalfSpace, _ecods.HalfSpace))
     if isinstance(named, type):
         return isinstance(value, named)
     check = {"int": is_index, "float": is_number, "str": lambda x: isinstance(x, (str, bytes))}.get(kind)

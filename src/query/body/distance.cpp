@@ -8,6 +8,7 @@
 #include "base/limits.hpp"
 #include "ecods/intersection.hpp"
 #include "query/body/contained.hpp"
+#include "query/body/core_distance.hpp"
 #include "query/convex/solid_pair.hpp"
 #include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
@@ -39,52 +40,72 @@ std::optional<ClosestPoints> closest_of_contained(const Posed<MeshShape>& a, con
 }  // namespace
 
 double distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
-    if (are_surfaces(*a.what, *b.what)) return surface::distance(a, b, ask);
+    return cores::distance(a, b, {}, ask);
+}
+
+double cores::distance(const Core& a, const Core& b, const exact::ExactSum& margin, const Ask& ask) {
+    const bool has_margin = margin.sign() != 0;
+    const auto between = [&](const Core& x, const Core& y, const Ask& how) {
+        return has_margin ? surface::distance_beyond(x, y, margin, how) : surface::distance(x, y, how);
+    };
+    if (are_surfaces(*a.what, *b.what)) return between(a, b, ask);
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
+    PairWitness& witness = asking.witness();
     const BodyPairAsked bodies(a, b);
     return as_one_query(memory, [&]() -> double {
         if (bodies.are_convex()) {
-            return convex::distance(bodies.a.convex(), bodies.b.convex(), memory, asking.witness());
+            const Posed<ConvexSolid> x = bodies.a.convex(), y = bodies.b.convex();
+            return has_margin ? convex::distance_beyond(x, y, margin, memory, witness)
+                              : convex::distance(x, y, memory, witness);
         }
         if (is_part_inside(bodies, memory)) return 0;
-        return surface::distance(bodies.a.boundary(), bodies.b.boundary(), {memory, asking.witness()});
+        return between(bodies.a.boundary(), bodies.b.boundary(), {memory, witness});
     });
 }
 
 // Compares keys, in whose order NaN lies beyond the infinities.
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
-    if (are_surfaces(*a.what, *b.what)) return surface::within(a, b, max_distance, ask);
     require_distance(max_distance);
-    const std::int64_t key = key_of(max_distance);
-    if (key == infinity_key) return true;
-    if (key == 0) return intersects(a, b, ask);
+    if (key_of(max_distance) == infinity_key) return true;
+    return cores::within(a, b, exact::Limit{max_distance}, ask);
+}
+
+bool cores::within(const Core& a, const Core& b, const exact::Limit& limit, const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::within(a, b, limit, ask);
+    if (limit.sum.sign() == 0) return !limit.is_strict && intersects(a, b, ask);
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
+    PairWitness& witness = asking.witness();
     const BodyPairAsked bodies(a, b);
     return as_one_query(memory, [&] {
         if (bodies.are_convex()) {
-            return convex::distance_within(bodies.a.convex(), bodies.b.convex(), max_distance, memory, asking.witness())
-                .has_value();
+            return convex::within(bodies.a.convex(), bodies.b.convex(), limit, memory, witness);
         }
-        return surface::within(bodies.a.boundary(), bodies.b.boundary(), max_distance, {memory, asking.witness()}) ||
+        return surface::within(bodies.a.boundary(), bodies.b.boundary(), limit, {memory, witness}) ||
                is_part_inside(bodies, memory);
     });
 }
 
 ClosestPoints closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
-    if (are_surfaces(*a.what, *b.what)) return surface::closest(a, b, ask);
+    return cores::closest(a, b, {}, ask);
+}
+
+ClosestPoints cores::closest(const Core& a, const Core& b, const exact::Radii& radii, const Ask& ask) {
+    if (are_surfaces(*a.what, *b.what)) return surface::closest(a, b, ask, radii);
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
     const BodyPairAsked bodies(a, b);
     return as_one_query(memory, [&] {
         if (bodies.are_convex()) {
-            if (const auto points = convex::closest(bodies.a.convex(), bodies.b.convex(), memory, asking.witness())) {
+            if (const auto points =
+                    convex::closest(bodies.a.convex(), bodies.b.convex(), memory, asking.witness(), radii)) {
                 return *points;
             }
         }
         if (const auto points = closest_of_contained(a, b, bodies, memory)) return *points;
-        ClosestPoints points = surface::closest(bodies.a.boundary(), bodies.b.boundary(), {memory, asking.witness()});
+        ClosestPoints points =
+            surface::closest(bodies.a.boundary(), bodies.b.boundary(), {memory, asking.witness()}, radii);
         bodies.rename(points);
         return points;
     });

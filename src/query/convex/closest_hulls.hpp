@@ -15,6 +15,7 @@
 #include "ecods/ask.hpp"
 #include "ecods/results.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 #include "query/convex/gjk.hpp"
 #include "query/convex/hull_features.hpp"
@@ -99,8 +100,15 @@ bool are_closest_of_triangles(PosedHulls& hulls, const HullFeatures& found);
 std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeatures& found, std::size_t side,
                                             std::uint32_t at, std::span<const Hull::Neighbor> neighbors);
 
-// Chooses the features that name the closest points, by the rule of ClosestPoints, and computes these points.
-ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest);
+// Chooses the features that name the closest points, by the rule of ClosestPoints, and computes these points. If radii
+// are given, points and distance are those of the rounded hulls.
+ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii = {});
+
+// Chooses, by the same rule, the features with the two points that the shortest translation of two solids that share a
+// point brings together, and computes these points; `distance` is the depth. `extreme` are the features that name the
+// normal of the depth: a face and any feature, or two edges that are not parallel. `normal` is the unit normal,
+// rounded.
+ClosestPoints name_deepest(PosedHulls& hulls, const std::array<HullFeature, 2>& extreme, const Vec3& normal);
 
 // True if the witness names two triangles.
 constexpr bool is_known(const PairWitness& witness) noexcept {
@@ -113,9 +121,11 @@ std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness
 // Does the same, but begins the search at the simplex `start`.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);
 
-// Return the exact squared distance of the features; their distance, rounded once; and the sign of (distance - d).
+// Return the exact squared distance of the features; their distance, rounded once; the unit vector from the first to
+// the second, rounded once (the features must not meet); and the sign of (distance - d).
 exact::SquaredDistance square_of(PosedHulls& hulls, const HullFeatures& found);
 double round_distance(PosedHulls& hulls, const HullFeatures& found);
+Vec3 round_direction(PosedHulls& hulls, const HullFeatures& found);
 int compare_distance(PosedHulls& hulls, const HullFeatures& found, double d);
 
 }  // namespace ecods::convex

@@ -5,9 +5,36 @@
 
 #include "base/assert.hpp"
 #include "base/make_error.hpp"
+#include "exact/measure/round/squared_distance.hpp"
+#include "exact/number/dyadic.hpp"
+#include "exact/number/long_vector.hpp"
+#include "exact/point/vectors.hpp"
 
 namespace ecods::convex {
 namespace {
+
+// Returns the distance of a point from the plane of a triangle, rounded once.
+double distance_from_plane(const std::array<Vec3, 3>& triangle, const Vec3& point) {
+    using exact::LongVector;
+    exact::BitRange digits;
+    for (int axis = 0; axis < 3; ++axis) {
+        digits.include(exact::decode(point[axis]));
+        for (const Vec3& v : triangle) digits.include(exact::decode(v[axis]));
+    }
+    const auto vector = [&](const Vec3& v) {
+        LongVector result;
+        for (std::size_t k = 0; k < 3; ++k) {
+            result[k] = exact::in_units(exact::decode(v[static_cast<Eigen::Index>(k)]), digits.low);
+        }
+        return result;
+    };
+    const LongVector a = vector(triangle[0]), n = cross(minus(vector(triangle[1]), a), minus(vector(triangle[2]), a));
+    exact::SquaredDistance square;
+    square.num.assign(exact::square(dot(n, minus(vector(point), a))).limbs());
+    square.den.assign(dot(n, n).limbs());
+    square.exponent = digits.low;
+    return exact::round_root(square);
+}
 
 class Check {
   public:
@@ -81,9 +108,10 @@ class Check {
 
     [[noreturn]] void fail(const SideRef& side, std::uint32_t beyond) const {
         const Triangle& triangle = given_.triangles()[side.triangle];
+        const std::span<const Vec3> v = given_.vertices();
         throw dent(
             {side.triangle, static_cast<int>(side.corner), {triangle[side.corner], triangle[(side.corner + 1) % 3]}},
-            beyond);
+            beyond, distance_from_plane({v[triangle[0]], v[triangle[1]], v[triangle[2]]}, v[beyond]));
     }
 
     const Border& border_;

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <span>
 
+#include "exact/measure/distance/fixed_distance.hpp"
 #include "exact/measure/distance/guess_features.hpp"
-#include "exact/measure/round/fixed_length.hpp"
-#include "exact/measure/round/fixed_plane.hpp"
+#include "exact/measure/round/direction.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/exact_hulls.hpp"
 
@@ -86,24 +86,13 @@ std::array<int, signs_at_once> find_signs(PosedHulls& hulls, const HullFeatures&
 }
 
 // Computes the distance from numbers of fixed precision, rounded once. Returns nullopt if the rounding is not certain.
-// In the Minkowski difference, a vertex and a face, or two edges, span a plane; a vertex and an edge span a line.
 std::optional<double> round_from_digits(PosedHulls& hulls, const HullFeatures& found) {
     const auto points = hulls.integers({found.of_side(0), found.of_side(1)});
-    const auto at = [&](std::size_t a, std::size_t b) { return exact::difference(points.at[1][b], points.at[0][a]); };
-    using Vector = exact::FixedPlane::Vector;
-    const exact::FeatureKind kind = found.features.kind;
-    const std::size_t other = 1 - found.features.vertex_side;
-    if (kind == exact::FeatureKind::vertex_vertex) return exact::fixed_length(at(0, 0), points.unit, points.are_exact);
-    if (kind == exact::FeatureKind::vertex_edge) {
-        const Vector edge = exact::difference(points.at[other][1], points.at[other][0]);
-        return exact::fixed_distance_from_line(at(0, 0), edge, points.unit, points.are_exact);
+    exact::IntegerPair pair{{}, points.unit, points.are_exact ? 0 : exact::IntegerFrame::error_units};
+    for (const std::size_t side : {0, 1}) {
+        for (std::size_t i = 0; i < found.of_side(side).size(); ++i) pair.at[3 * side + i] = points.at[side][i];
     }
-    const std::array<Vector, 3> m =
-        kind == exact::FeatureKind::edge_edge ? std::array<Vector, 3>{at(0, 0), at(1, 0), at(0, 1)}
-        : found.features.vertex_side == 0     ? std::array<Vector, 3>{at(0, 0), at(0, 1), at(0, 2)}
-                                              : std::array<Vector, 3>{at(0, 0), at(1, 0), at(2, 0)};
-    const exact::FixedPlane plane(m, points.unit, points.are_exact);
-    return plane.side() ? plane.distance() : std::nullopt;
+    return exact::fixed_distance(pair, found.features);
 }
 
 }  // namespace
@@ -166,6 +155,13 @@ SquaredDistance square_of(PosedHulls& hulls, const HullFeatures& found) {
 double round_distance(PosedHulls& hulls, const HullFeatures& found) {
     if (const auto distance = round_from_digits(hulls, found)) return *distance;
     return exact::round_root(square_of(hulls, found));
+}
+
+Vec3 round_direction(PosedHulls& hulls, const HullFeatures& found) {
+    return with_exact_features(hulls, found.vertices(), [&](const auto&, const auto& features, const auto&) {
+        return features.with_direction(
+            found.features, [](const auto& n, bool is_turned) { return exact::round_direction(n, is_turned); });
+    });
 }
 
 int compare_distance(PosedHulls& hulls, const HullFeatures& found, double d) {

@@ -3,27 +3,24 @@
 //
 // All pairs of closest points of two convex sets differ by the same vector, so they are on the features of the two
 // solids that are extreme along this vector. The candidates are these two features, and the edges and vertices of their
-// boundaries.
+// boundaries. If the sets meet, the vector is that of the shortest translation: let n be the normal of the depth. The
+// features that are extreme along n are in two planes perpendicular to n, whose distance is the depth. So two of their
+// points differ by the vector if and only if their distance is the depth, and otherwise are further apart.
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 
 #include "exact/measure/distance/closest_points.hpp"
+#include "exact/measure/distance/set_ends.hpp"
 #include "exact/measure/round/exact_point.hpp"
-#include "exact/point/vectors.hpp"
 #include "geometry/feature_key.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/exact_hulls.hpp"
+#include "query/convex/planar_features.hpp"
 
 namespace ecods::convex {
 namespace {
 
-using exact::dot;
-using exact::largest;
-using exact::minus;
-using exact::times;
-
-using exact::FeatureKind;
 using Kind = Feature::Kind;
 
 // A feature of each of the two solids.
@@ -46,59 +43,86 @@ HullFeatures features_of(const PosedHulls& hulls, const Parts& parts) noexcept {
             exact::features_of_counts(count(0), count(1))};
 }
 
-// Calls use(feature) for each feature of the given kind that is `part` or borders `part`.
-template <class Use>
-void for_each_of(const Hull& hull, const HullFeature& part, Kind kind, Use&& use) {
-    if (part.kind == kind) return use(part);
-    if (part.kind < kind) return;
-    if (part.kind == Kind::edge) {
-        for (const std::uint32_t end : hull.edges[part.index].ends) use(HullFeature{kind, end});
-    } else {
-        for (const Hull::Neighbor& n : hull.cycle_of(part.index))
-            use(HullFeature{kind, kind == Kind::vertex ? n.vertex : n.edge});
-    }
+// Returns the distance in the unit of rounded points; infinity if it is not known to all of a double's digits.
+double rounded_distance(const PosedHulls& hulls, const exact::SquaredDistance& square) noexcept {
+    if (square.num.is_zero()) return 0;
+    const double distance = exact::round_root(square);
+    if (!(distance > 0x1p-1000 && distance < 0x1p1000)) return std::numeric_limits<double>::infinity();
+    const int exponent = exponent_above(distance) - hulls.exponent();
+    if (exponent <= -800 || exponent >= 800) return std::numeric_limits<double>::infinity();
+    return times_power(distance, -hulls.exponent());
 }
 
 class Naming {
+    using Answer = PlanarFeatures::Answer;
+
   public:
-    Naming(PosedHulls& hulls, const ClosestHulls& closest)
+    // `parts` are the features that contain all pairs of points at the least distance, `least` is its square, and
+    // `normal` the direction of `turned` times the vector between two such points.
+    Naming(PosedHulls& hulls, const Parts& parts, const exact::SquaredDistance& least, const Vec3& normal, int turned)
         : hulls_(hulls),
-          parts_{closest.part(hulls, 0), closest.part(hulls, 1)},
-          least_(square_of(hulls, closest.found)) {
-        const double distance = exact::round_root(least_);
-        if (distance > 0x1p-1000 && distance < 0x1p1000) {
-            const int exponent = exponent_above(distance) - hulls.exponent();
-            if (exponent > -800 && exponent < 800) limit_ = times_power(distance, -hulls.exponent());
-        }
-    }
+          parts_(parts),
+          least_(least),
+          planar_(hulls, parts, normal, turned * rounded_distance(hulls, least)) {}
 
     // Tries the kinds of pairs in the order of the rule. The first kind that has a pair at the least distance decides.
     Parts find() {
-        try_all(Kind::vertex, Kind::vertex);
+        try_vertices();
         if (has_best_) return best_;
-        try_all(Kind::vertex, Kind::edge);
-        try_all(Kind::edge, Kind::vertex);
+        for (const std::size_t side : {0, 1}) try_vertex_and_edge(side);
         if (has_best_) return best_;
-        try_all(Kind::vertex, Kind::face);
-        try_all(Kind::face, Kind::vertex);
+        for (const std::size_t side : {0, 1}) try_vertex_and_face(side);
         if (has_best_) return best_;
-        try_all(Kind::edge, Kind::edge);
+        try_edges();
         ECODS_ASSERT(has_best_);
         return best_;
     }
 
   private:
-    void try_all(Kind kind_a, Kind kind_b) {
-        for_each_of(hulls_.hull(0), parts_[0], kind_a, [&](const HullFeature& a) {
-            for_each_of(hulls_.hull(1), parts_[1], kind_b, [&](const HullFeature& b) {
-                const Parts parts{a, b};
-                if (!is_first(parts) || !may_hold(parts) || !holds(parts)) return;
-                best_ = parts;
-                has_best_ = true;
-            });
-        });
+    void try_vertices() {
+        for (std::size_t i = 0; i < planar_.vertex_count(0); ++i) {
+            for (std::size_t j = 0; j < planar_.vertex_count(1); ++j) {
+                if (!planar_.may_meet(i, j)) continue;
+                const Parts parts{planar_.vertex(0, i), planar_.vertex(1, j)};
+                if (is_first(parts) && holds(parts)) take(parts);
+            }
+        }
     }
 
+    void try_vertex_and_edge(std::size_t side) {
+        for (std::size_t i = 0; i < planar_.vertex_count(side); ++i) {
+            for (std::size_t j = 0; j < planar_.edge_count(1 - side); ++j) {
+                if (!planar_.may_be_on(side, i, j)) continue;
+                const Parts parts = of_sides(side, planar_.vertex(side, i), planar_.edge(1 - side, j));
+                if (is_first(parts) && holds(parts)) take(parts);
+            }
+        }
+    }
+
+    void try_vertex_and_face(std::size_t side) {
+        if (parts_[1 - side].kind != Kind::face) return;
+        for (std::size_t i = 0; i < planar_.vertex_count(side); ++i) {
+            const Parts parts = of_sides(side, planar_.vertex(side, i), parts_[1 - side]);
+            if (!is_first(parts)) continue;
+            const Answer answer = planar_.is_inside(side, i);
+            if (answer == Answer::yes || (answer == Answer::open && is_over(parts))) take(parts);
+        }
+    }
+
+    void try_edges() {
+        for (std::size_t i = 0; i < planar_.edge_count(0); ++i) {
+            for (std::size_t j = 0; j < planar_.edge_count(1); ++j) {
+                const Answer answer = planar_.do_cross(i, j);
+                if (answer == Answer::no) continue;
+                const Parts parts{planar_.edge(0, i), planar_.edge(1, j)};
+                if (is_first(parts) && (answer == Answer::yes || holds(parts))) take(parts);
+            }
+        }
+    }
+
+    static Parts of_sides(std::size_t side, const HullFeature& own, const HullFeature& other) noexcept {
+        return side == 0 ? Parts{own, other} : Parts{other, own};
+    }
     FeatureNames names_of(const Parts& parts) const noexcept {
         return {ClosestKind{}, name_of(hulls_.hull(0), parts[0]), name_of(hulls_.hull(1), parts[1])};
     }
@@ -106,50 +130,22 @@ class Naming {
     bool is_first(const Parts& parts) const noexcept {
         return !has_best_ || rank(names_of(parts)) < rank(names_of(best_));
     }
-
-    // True unless doubles prove that the distance of `parts` exceeds the least distance.
-    bool may_hold(const Parts& parts) {
-        const Kind greater = std::max(parts[0].kind, parts[1].kind), lesser = std::min(parts[0].kind, parts[1].kind);
-        if (greater == Kind::vertex) return may_hold_vertices(parts);
-        if (lesser == Kind::edge) return true;
-        return greater == Kind::edge ? may_hold_vertex_and_edge(parts) : is_over(parts);
+    void take(const Parts& parts) noexcept {
+        best_ = parts;
+        has_best_ = true;
     }
 
-    // True if `parts` have exactly the least distance, and their closest points are inside them.
+    // True if `parts` have exactly the least distance, and their closest points are inside them. They are no face.
     bool holds(const Parts& parts) {
         const HullFeatures found = features_of(hulls_, parts);
         return with_exact_features(hulls_, found.vertices(),
                                    [&](const auto& points, const auto& features, const auto&) {
-                                       const bool is_face = found.features.kind == FeatureKind::vertex_face;
-                                       if (!is_face && features.standing(found.features) < exact::Standing::inside)
-                                           return false;
+                                       if (features.standing(found.features) < exact::Standing::inside) return false;
                                        exact::SquaredDistance square;
                                        square.exponent = points.unit;
                                        features.measure(found.features, square);
                                        return compare(square, least_) == 0;
                                    });
-    }
-
-    // Compares with a margin: rounded points are off by delta on each axis, and the norm of their difference by a
-    // factor near 1.
-    bool may_hold_vertices(const Parts& parts) const noexcept {
-        const Point w = minus(hulls_.rounded(1, parts[1].index), hulls_.rounded(0, parts[0].index));
-        const double length = std::sqrt(dot(w, w));
-        return !(length * (1 - 0x1p-48) - 4 * hulls_.delta() > limit_ * (1 + 0x1p-48));
-    }
-
-    // Measures the distance of the vertex from a point on the rounded edge's line. The rounded parameter moves this
-    // point by some roundings of the vectors' lengths, which the margin covers.
-    bool may_hold_vertex_and_edge(const Parts& parts) const noexcept {
-        const std::size_t of = parts[0].kind == Kind::edge ? 0 : 1;
-        const auto& ends = hulls_.hull(of).edges[parts[of].index].ends;
-        const Point p = hulls_.rounded(of, ends[0]);
-        const Point w = minus(hulls_.rounded(1 - of, parts[1 - of].index), p),
-                    u = minus(hulls_.rounded(of, ends[1]), p);
-        const double uu = dot(u, u), t = std::min(std::max(dot(w, u) / uu, 0.0), 1.0);
-        const Point x = minus(w, times(u, t));
-        const double margin = 0x1p-44 * (largest(w) + largest(u)) + 16 * hulls_.delta();
-        return !(std::sqrt(dot(x, x)) - margin > limit_ * (1 + 0x1p-48));
     }
 
     // Returns true if the vertex projects to a point inside the face: it is left of all the face's sides, seen along
@@ -185,17 +181,12 @@ class Naming {
     PosedHulls& hulls_;
     Parts parts_;
     exact::SquaredDistance least_;
-    double limit_ =
-        std::numeric_limits<double>::infinity();  // the rounded least distance, in the unit of rounded points
+    PlanarFeatures planar_;
     Parts best_;
     bool has_best_ = false;
 };
 
-}  // namespace
-
-ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest) {
-    const Parts parts =
-        closest.are_only ? Parts{closest.part(hulls, 0), closest.part(hulls, 1)} : Naming(hulls, closest).find();
+ClosestPoints measure_named(PosedHulls& hulls, const Parts& parts, const exact::Radii& radii) {
     const HullFeatures found = features_of(hulls, parts);
     return with_exact_features(hulls, found.vertices(), [&](const auto& points, const auto& features, const auto&) {
         exact::SquaredDistance square;
@@ -204,10 +195,27 @@ ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest) {
         std::array<exact::ExactPoint, 2> ends;
         exact::find_closest_points(features, found.features, points.unit, ends);
         const exact::PointRef origin = hulls.reference({0, found.corners[0][0]});
-        return ClosestPoints{exact::round_root(square),           static_cast<ClosestKind>(found.features.kind),
-                             name_of(hulls.hull(0), parts[0]),    name_of(hulls.hull(1), parts[1]),
-                             exact::round_point(origin, ends[0]), exact::round_point(origin, ends[1])};
+        ClosestPoints result;
+        result.kind = static_cast<ClosestKind>(found.features.kind);
+        result.a = name_of(hulls.hull(0), parts[0]);
+        result.b = name_of(hulls.hull(1), parts[1]);
+        exact::set_ends(result, square, origin, ends, features, found.features, radii);
+        return result;
     });
+}
+
+}  // namespace
+
+ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii) {
+    const Parts parts{closest.part(hulls, 0), closest.part(hulls, 1)};
+    if (closest.are_only) return measure_named(hulls, parts, radii);
+    const Vec3 normal = round_direction(hulls, closest.found);
+    return measure_named(hulls, Naming(hulls, parts, square_of(hulls, closest.found), normal, 1).find(), radii);
+}
+
+ClosestPoints name_deepest(PosedHulls& hulls, const std::array<HullFeature, 2>& extreme, const Vec3& normal) {
+    const exact::SquaredDistance depth = square_of(hulls, features_of(hulls, extreme));
+    return measure_named(hulls, Naming(hulls, extreme, depth, normal, -1).find(), {});
 }
 
 }  // namespace ecods::convex

@@ -7,6 +7,7 @@
 
 #include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
+#include "exact/measure/round/distance_beyond.hpp"
 #include "exact/point/vectors.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/posed_hulls.hpp"
@@ -91,25 +92,36 @@ std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<C
     return distance_within(hulls, find_closest(hulls, start), limit);
 }
 
-std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
-                                      QueryMemory& memory, PairWitness& witness) {
-    PosedHulls hulls(a, b, memory);
-    if (!is_known(witness) && is_beyond(hulls, between_centers(hulls), limit)) return std::nullopt;
-    return distance_within(hulls, find_closest(hulls, &witness), limit);
-}
-
 double distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness) {
     PosedHulls hulls(a, b, memory);
     const auto closest = find_closest(hulls, &witness);
     return closest ? round_distance(hulls, closest->found) : 0;
 }
 
+double distance_beyond(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::ExactSum& margin,
+                       QueryMemory& memory, PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    const auto closest = find_closest(hulls, &witness);
+    return closest ? exact::round_beyond(square_of(hulls, closest->found), margin) : 0;
+}
+
+bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Limit& limit, QueryMemory& memory,
+            PairWitness& witness) {
+    PosedHulls hulls(a, b, memory);
+    if (!is_known(witness) && is_beyond(hulls, between_centers(hulls), limit.sum.upper())) return false;
+    const auto closest = find_closest(hulls, &witness);
+    if (!closest) return true;
+    if (!limit.is_strict && limit.sum.is_double())
+        return distance_within(hulls, closest, limit.sum.lower()).has_value();
+    return limit.holds(exact::compare(square_of(hulls, closest->found), limit.sum));
+}
+
 std::optional<ClosestPoints> closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
-                                     PairWitness& witness) {
+                                     PairWitness& witness, const exact::Radii& radii) {
     PosedHulls hulls(a, b, memory);
     const auto closest = find_closest(hulls, &witness);
     if (!closest) return std::nullopt;
-    return name_closest(hulls, *closest);
+    return name_closest(hulls, *closest, radii);
 }
 
 bool do_meet(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory) {

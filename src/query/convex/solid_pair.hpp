@@ -8,6 +8,8 @@
 #include "ecods/pose.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
+#include "exact/number/exact_sum.hpp"
 
 namespace ecods::convex {
 
@@ -32,16 +34,19 @@ struct SolidInMemory {
 
 // These start from the triangles of the witness, and leave those of the closest features.
 double distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness);
-// Returns nullopt if the solids share a point.
+// Returns nullopt if the solids share a point. If radii are given, points and distance are those of the rounded solids.
 std::optional<ClosestPoints> closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
-                                     PairWitness& witness);
+                                     PairWitness& witness, const exact::Radii& radii = {});
+// Returns the distance less the margin, rounded once; 0 if the margin is at least the distance.
+double distance_beyond(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::ExactSum& margin,
+                       QueryMemory& memory, PairWitness& witness);
+// True if the real distance is within the limit, which must not be zero.
+bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Limit& limit, QueryMemory& memory,
+            PairWitness& witness);
 
-// Returns the distance, rounded once, if the real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0,
-// or infinity.
-std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
-                                      QueryMemory& memory, PairWitness& witness);
-
-// Answer questions for lists of many pairs, without a witness and without any other work.
+// Answer questions for lists of many pairs, without a witness and without any other work. The first returns the
+// distance, rounded once, if the real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0, or
+// infinity.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory);
 

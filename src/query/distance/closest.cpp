@@ -1,4 +1,3 @@
-#include "geometry/feature_key.hpp"
 #include "query/distance/distance_search.hpp"
 #include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
@@ -15,7 +14,8 @@ ClosestPoints closest_of_intersecting(const Posed<MeshShape>& a, const Posed<Mes
 
 }  // namespace
 
-ClosestPoints surface::closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+ClosestPoints surface::closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask,
+                               const exact::Radii& radii) {
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
     DistanceSearch search(a, b, memory);
@@ -28,11 +28,8 @@ ClosestPoints surface::closest(const Posed<MeshShape>& a, const Posed<MeshShape>
         // in the order of triangles.
         const auto& open = search.sieve().keep_least(
             [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });
-        result = search.exact_pair().closest(open[0].triangles.a, open[0].triangles.b);
-        for (std::size_t i = 1; i < open.size(); ++i) {
-            const ClosestPoints other = search.exact_pair().closest(open[i].triangles.a, open[i].triangles.b);
-            if (rank(other) < rank(result)) result = other;
-        }
+        result =
+            least_closest(open, [&](const TrianglePair& x) { return search.exact_pair().closest(x.a, x.b, radii); });
     }
     asking.witness() = {result.a.triangle, result.b.triangle};
     return result;

@@ -17,17 +17,6 @@ double least(double x, double y) {
     return key_of(x) < key_of(y) ? x : y;
 }
 
-// Returns true if certainly upper - lower <= max(absolute, relative * lower), or if the bounds are equal or adjacent
-// doubles. The relative error of the difference and of each product is at most u' = 2^-52.
-// Claim: verify/proofs/small_bounds.py
-bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
-    if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
-    if (key_of(bounds.upper) == key_of(infinity)) return false;
-    const double width = (bounds.upper - bounds.lower) * (1 + 4 * 0x1p-52);
-    if (!(width >= std::numeric_limits<double>::min())) return false;  // the difference may have been flushed to zero
-    return width <= std::max(tolerance.absolute, tolerance.relative * bounds.lower);
-}
-
 // Returns the adjacent doubles around the least distance, or the distance twice if it is a double. Unrounded distances
 // of several pairs may lie on both sides of the double to which they round. So each open pair is compared with this
 // double, unless its lower bound suffices.
@@ -53,6 +42,16 @@ DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
 }
 
 }  // namespace
+
+// The relative error of the difference and of each product is at most u' = 2^-52.
+// Claim: verify/proofs/small_bounds.py
+bool surface::is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
+    if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
+    if (key_of(bounds.upper) == key_of(infinity)) return false;
+    const double width = (bounds.upper - bounds.lower) * (1 + 4 * 0x1p-52);
+    if (!(width >= std::numeric_limits<double>::min())) return false;  // the difference may have been flushed to zero
+    return width <= std::max(tolerance.absolute, tolerance.relative * bounds.lower);
+}
 
 DistanceBounds surface::distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                         const DistanceTolerance& tolerance, const Ask& ask) {

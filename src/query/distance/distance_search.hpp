@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bvh/walks/walk_two.hpp"
+#include "geometry/feature_key.hpp"
 #include "query/distance/distance_question.hpp"
 
 namespace ecods {
@@ -17,6 +18,17 @@ constexpr bool is_apart(const PairWitness& witness) noexcept {
 }
 
 using DistanceSieve = SieveOf<DistanceQuestion>;
+
+// Returns the first of closest(pair) for all open pairs, which tie, by the rule of ClosestPoints. There must be one.
+template <class Closest>
+ClosestPoints least_closest(const std::vector<DistanceSieve::Open>& open, Closest&& closest) {
+    ClosestPoints result = closest(open[0].triangles);
+    for (std::size_t i = 1; i < open.size(); ++i) {
+        const ClosestPoints other = closest(open[i].triangles);
+        if (rank(other) < rank(result)) result = other;
+    }
+    return result;
+}
 
 class DistanceSearch {
   public:

@@ -10,6 +10,8 @@
 #include "ecods/pose.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
+#include "exact/number/exact_sum.hpp"
 
 namespace ecods::surface {
 
@@ -22,9 +24,15 @@ inline void require_valid(const DistanceTolerance& tolerance) {
     require_distance(tolerance.max_distance);
 }
 
+// True if certainly upper - lower <= max(absolute, relative * lower), or if the bounds are equal or adjacent doubles.
+bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance);
+
 double distance(const Body& a, const Body& b, const Ask& ask);
+// Returns the distance less the margin, rounded once; 0 if the margin is at least the distance.
+double distance_beyond(const Body& a, const Body& b, const exact::ExactSum& margin, const Ask& ask);
 bool within(const Body& a, const Body& b, double max_distance, const Ask& ask);
-ClosestPoints closest(const Body& a, const Body& b, const Ask& ask);
+bool within(const Body& a, const Body& b, const exact::Limit& limit, const Ask& ask);
+ClosestPoints closest(const Body& a, const Body& b, const Ask& ask, const exact::Radii& radii = {});
 DistanceBounds distance_bounds(const Body& a, const Body& b, const DistanceTolerance& tolerance, const Ask& ask);
 std::vector<ClosestPoints> close_triangles(const Body& a, const Body& b, double max_distance, const Ask& ask);
 std::vector<CloseFeatures> close_features(const Body& a, const Body& b, double max_distance, const Ask& ask);

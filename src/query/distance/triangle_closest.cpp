@@ -2,6 +2,7 @@
 
 #include "exact/measure/distance/closest_points.hpp"
 #include "exact/measure/distance/name_features.hpp"
+#include "exact/measure/distance/set_ends.hpp"
 #include "exact/measure/distance/shared_corners.hpp"
 #include "exact/measure/round/direction.hpp"
 #include "exact/measure/round/exact_point.hpp"
@@ -18,7 +19,7 @@ PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
     return {a.pose, &a.mesh->vertices()[triangles_[0][i][0]]};
 }
 
-ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
+ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j, const Radii& radii, PointA point_a) {
     return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
         ClosestPoints result;
         std::array<ExactPoint, 2> ends;
@@ -37,9 +38,12 @@ ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j) {
         const FeaturePair first = first_closest(features, found);
         name_features(result, first, {i, j});
         find_closest_points(features, first, points.unit, ends);
-        result.distance = round_root(square);
-        result.point_a = round_point(first_corner(i), ends[0]);
-        result.point_b = round_point(first_corner(i), ends[1]);
+        if (point_a == PointA::left_out) {
+            result.distance = round_root(square);
+            result.point_b = round_point(first_corner(i), ends[1]);
+        } else {
+            set_ends(result, square, first_corner(i), ends, features, first, radii);
+        }
         return result;
     });
 }

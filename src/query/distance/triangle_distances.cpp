@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "exact/measure/distance/fixed_distance.hpp"
 #include "exact/measure/distance/guess_features.hpp"
 #include "exact/measure/distance/measure_pair.hpp"
 #include "exact/measure/distance/name_features.hpp"
+#include "exact/measure/round/distance_beyond.hpp"
 #include "query/distance/triangle_features.hpp"
 
 namespace ecods {
@@ -56,6 +58,25 @@ const TriangleDistances::Measured& TriangleDistances::measured(const TrianglePai
 
 double TriangleDistances::distance(std::uint32_t i, std::uint32_t j) {
     return round_root(measured({i, j}).square);
+}
+
+std::optional<double> TriangleDistances::fixed_distance(const TrianglePair& pair, const DistanceInterval& interval) {
+    if (!interval.is_certain) return std::nullopt;
+    const FeatureNames names{interval.kind, feature_of(interval.a, pair.a, triangles_[0][pair.a]),
+                             feature_of(interval.b, pair.b, triangles_[1][pair.b])};
+    return exact::fixed_distance(integers(pair.a, pair.b), features_named(names));
+}
+
+int TriangleDistances::side_of_face(const TrianglePair& pair) {
+    return exact::certain_side_of_face(integers(pair.a, pair.b));
+}
+
+double TriangleDistances::distance_beyond(const TrianglePair& pair, const ExactSum& margin) {
+    return round_beyond(measured(pair).square, margin);
+}
+
+int TriangleDistances::compare(const TrianglePair& pair, const ExactSum& d) {
+    return exact::compare(measured(pair).square, d);
 }
 
 int TriangleDistances::compare(std::uint32_t i, std::uint32_t j, double d) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "ecods/distance.hpp"
@@ -11,6 +12,7 @@
 #include "exact/measure/distance/closest_slab.hpp"
 #include "exact/measure/distance/enclose_distance.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 #include "exact/point/frame.hpp"
 #include "exact/point/integer_frame.hpp"
@@ -44,8 +46,20 @@ class TriangleDistances {
     // Returns the distance of triangles i and j, rounded once. It is exactly 0 if and only if they share a point.
     double distance(std::uint32_t i, std::uint32_t j);
 
-    // Returns the sign of (the real distance of triangles i and j) - d, for a double d >= 0.
+    // Returns distance() of a pair, from numbers of fixed width; nullopt if the rounding is not certain, or the
+    // interval is not. `interval` is the result of enclose() for the pair.
+    std::optional<double> fixed_distance(const TrianglePair& pair, const DistanceInterval& interval);
+
+    // Returns the sign of n . (p - q) for a point p, the first triangle, and a corner q and the normal n of the second.
+    // The closest features must be the point and the face, which enclose() has found certain.
+    int side_of_face(const TrianglePair& pair);
+
+    // Returns the distance of a pair less the margin, rounded once (exact::round_beyond).
+    double distance_beyond(const TrianglePair& pair, const exact::ExactSum& margin);
+
+    // Return the sign of (the real distance of triangles i and j) - d, for a number d >= 0.
     int compare(std::uint32_t i, std::uint32_t j, double d);
+    int compare(const TrianglePair& pair, const exact::ExactSum& d);
 
     // Returns the sign of (the real distance of the first pair) - (the real distance of the second pair).
     int compare(const TrianglePair& first, const TrianglePair& second);
@@ -59,8 +73,13 @@ class TriangleDistances {
     // 0.1 microseconds for each new vertex.
     bool is_not_nearer(const TrianglePair& pair);
 
-    // Returns the closest points of triangles i and j. If there are several, the rule of ClosestPoints chooses.
-    ClosestPoints closest(std::uint32_t i, std::uint32_t j);
+    // Returns the closest points of triangles i and j. If there are several, the rule of ClosestPoints chooses. If the
+    // triangles do not meet and radii are given, the points are those of the rounded triangles, and so is the distance.
+    // Sets point_a only if it is `wanted`, since rounding it takes a third of the time; it may be left out only without
+    // radii.
+    enum class PointA : std::uint8_t { wanted, left_out };
+    ClosestPoints closest(std::uint32_t i, std::uint32_t j, const exact::Radii& radii = {},
+                          PointA point_a = PointA::wanted);
 
     // Appends to `to` the pairs of features of triangles i and j that close_features() lists. The first appended pair
     // is the one that the rule of ClosestPoints chooses.

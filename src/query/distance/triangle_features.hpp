@@ -11,7 +11,10 @@
 namespace ecods {
 
 ECODS_ALWAYS_INLINE exact::IntegerPair TriangleDistances::integers(std::uint32_t i, std::uint32_t j) {
-    return exact::integer_pair(points_, triangles_[0][i], triangles_[1][j]);
+    const Triangle& a = triangles_[0][i];
+    exact::IntegerPair pair = exact::integer_pair(points_, a, triangles_[1][j]);
+    pair.first_is_point = a[0] == a[1] && a[0] == a[2];
+    return pair;
 }
 
 // Calls use(points, features, guess) with the corners of two triangles as integers of the narrowest kernel that holds

@@ -31,7 +31,7 @@ struct HitMemory final : QueryMemoryPart {
 
     LineAxes axes;
     TriangleHits triangles;
-    std::vector<LineNode> stack;
+    std::vector<OrderedNode> stack;
     FaceSieve faces;
     StepRegion steps;  // region on the body to which the members are bound
     std::array<exact::LineHit, 3> hits;

@@ -22,7 +22,7 @@ struct QueryMemory::State {
     SeparatingAxes axes;
     std::vector<NodePair> stack;
     QueryCounts counts;
-    std::unique_ptr<QueryMemoryPart> distance, hit, cast, moving, solid, convex, depth, certificate;
+    std::unique_ptr<QueryMemoryPart> distance, point, hit, cast, moving, solid, convex, depth, half_space, certificate;
 };
 
 struct QueryMemoryAccess {

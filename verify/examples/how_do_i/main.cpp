@@ -88,6 +88,15 @@ void depth_of_convex_solids() {
     const auto cube = unit_cube();
     const auto out = depth({cube, Pose{}}, {cube, {.t = {0.75, 0, 0}}});
     if (out) fmt::print("depth of convex solids: {} along {}\n", out->depth, text(out->direction));
+    const SignedDistance both = signed_distance({cube, Pose{}}, {cube, {.t = {0.75, 0.25, 0}}});
+    fmt::print("signed distance: {} from {} to {}\n", both.distance, text(both.point_a), text(both.point_b));
+}
+
+void spheres_and_margins() {
+    const auto ball = sphere(2);
+    const auto padded = rounded(unit_cube(), 0.5);
+    const double gap = distance({ball, {.t = {4, 5, 0.5}}}, {padded, Pose{}});
+    fmt::print("spheres and margins: {} apart\n", gap);
 }
 
 void again_with_a_witness() {
@@ -125,6 +134,16 @@ void make_a_mesh() {
     const auto mesh = Mesh::create(coordinates, indices);
     const Solid tetrahedron(mesh);  // throws NotSolid if the mesh bounds no solid
     fmt::print("make a mesh: {} vertices, {} triangles\n", mesh->vertices().size(), mesh->triangles().size());
+}
+
+void build_a_body() {
+    const auto crate = box({1, 2, 0.5});
+    const Circumscribed can = cylinder(0.5, 2, 32);  // contains the real cylinder
+    const std::vector<double> heights{0, 0, 0, 0, 1, 0, 0, 0, 0};
+    const auto hill = height_field(heights, 3, {4, 4}, -1);  // solid down to z = -1
+    const double d = distance({crate, Pose{}}, {can.solid, {.t = {2, 0, 0}}});
+    const bool is_buried = intersects({crate, {.t = {4, 4, 0}}}, {hill, Pose{}});
+    fmt::print("build a body: the can is {:.4f} to {:.4f} away, in the hill: {}\n", d, d + can.deviation, is_buried);
 }
 
 void pose_a_body() {
@@ -167,6 +186,14 @@ void keep_a_margin() {
     fmt::print("keep a margin: {} pair within 2.5\n", world.close_pairs().size());
 }
 
+void stand_on_the_ground() {
+    const HalfSpace ground(Vec3::UnitZ(), 0);  // z <= 0
+    const auto cube = unit_cube();
+    fmt::print("stand on the ground: {} above it, {} in it\n",
+               signed_distance({cube, {.t = {0, 0, 2}}}, {ground, Pose{}}).distance,
+               -signed_distance({cube, {.t = {0, 0, -0.25}}}, {ground, Pose{}}).distance);
+}
+
 void count_the_work() {
     World world = three_cubes();
     world.update();
@@ -205,16 +232,19 @@ int main() {
     nearest_body();
     inside_a_solid();
     depth_of_convex_solids();
+    spheres_and_margins();
     again_with_a_witness();
     mesh_that_is_no_body();
     trace_and_replay();
     make_a_mesh();
+    build_a_body();
     pose_a_body();
     overlap_of_boxes();
     exact_signs();
     catch_an_error();
     ignore_pairs();
     keep_a_margin();
+    stand_on_the_ground();
     count_the_work();
     find_boxes();
     prove_an_answer();

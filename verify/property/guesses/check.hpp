@@ -57,6 +57,7 @@ void ask_axis_ray(Case& c);
 void ask_hits(Case& c);
 void ask_line(Case& c);
 void ask_convex(Case& c);
+void ask_point(Case& c);
 
 // Calls evaluate() in the mode; not inlined, so that no operation leaves it.
 template <class Evaluate>

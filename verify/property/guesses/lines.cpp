@@ -184,7 +184,7 @@ void ask_line(Case& c) {
             place = axes.place(scaled, limit);
             if (place == LineAxes::Place::placed) {
                 walked.ratio = axes.ratio_above(limit);
-                std::vector<LineNode> stack;
+                std::vector<OrderedNode> stack;
                 walk_line(trees.a, axes.part(), stack, walked);
             }
             if (!line.is_ray) around = gathered(c.random, trees, axes, line);

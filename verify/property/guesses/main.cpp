@@ -1,9 +1,8 @@
 // Asks the bounds inside the library, with any guess, whether the truth is within them.
 //
 // usage: guesses [--times N] [--seed S] [--case K] [CHECK...]
-//   CHECK      one of distance, contact, near, far, swept, meeting, moving, overlap, axis_ray, hits, line and convex;
-//   or
-//              all
+//   CHECK      one of distance, contact, near, far, swept, meeting, moving, overlap, axis_ray, hits, line, convex and
+//              point; or all
 //   --times N  N times as many cases as in the tests
 //   --seed S   other cases
 //   --case K   one of the cases alone, as a failure names it
@@ -23,6 +22,7 @@ std::span<const Check> checks() {
         {"far", ask_far, 200, 0.1},           {"swept", ask_swept, 150, 0.1},      {"meeting", ask_meeting, 150, 0.1},
         {"moving", ask_moving, 200, 0.1},     {"overlap", ask_overlap, 300, 0.1},  {"axis_ray", ask_axis_ray, 200, 0.1},
         {"hits", ask_hits, 600, 0.05},        {"line", ask_line, 400, 0.1},        {"convex", ask_convex, 150, 0.1},
+        {"point", ask_point, 300, 0.1},
     };
     return all;
 }

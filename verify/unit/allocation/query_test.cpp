@@ -16,6 +16,7 @@
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/rounded.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "scenes/shapes.hpp"
@@ -191,10 +192,41 @@ const Question questions[] = {
          const auto answer = digest(first_hit(out, {room, p.pose_a}, {p.memory, p.witness}));
          p.answer = answer + digest(all_hits(out, {room, p.pose_a}, p.memory));
      }},
+    {"closest and signed_distance of points, and locate",
+     [](Pair& p) {
+         const Solid room(room_with_an_antenna());
+         const std::vector<Vec3> points{{11.5, 1, 0}, {1, 2, 3}, {0, 0, 0}, {1e9, 0, 0}};
+         Digest found;
+         for (const ClosestPoint& near : closest(points, {room, p.pose_a}, p.memory)) {
+             found.add(near.distance);
+             found.add(near.feature.triangle);
+             found.add(near.point);
+         }
+         for (const double number : signed_distance(points, {room, p.pose_a}, p.memory)) found.add(number);
+         for (const Location& location : locate(points, {room, p.pose_a}, p.memory)) found.add(location.side);
+         found.add(signed_distance(points[0], p.second(), p.memory));
+         p.answer = found.value();
+     }},
     {"surface_of",
      [](Pair& p) {
          const Solid room(room_with_an_antenna());
          p.answer = digest(distance({*surface_of(room), p.pose_a}, p.second(), {p.memory, p.witness}));
+     }},
+    {"questions about rounded bodies",
+     [](Pair& p) {
+         const Rounded padded(p.a, 0x1p-60);
+         const auto ball = sphere(0.1, {0.125, 0, 0}), bone = capsule({0, 0, 0}, {1e-200, 0, 1}, 0x1p-1074);
+         const Posed<Rounded> first(padded, p.pose_a);
+         Digest all;
+         for (const auto& other : {ball, bone}) {
+             const Posed<Rounded> second(other, p.pose_b);
+             all.add(intersects(first, second, {p.memory, p.witness}));
+             all.add(distance(first, second, {p.memory, p.witness}));
+             all.add(closest(first, second, {p.memory, p.witness}));
+             all.add(relation(second, p.first(), {p.memory, p.witness}));
+             all.add(distance_bounds(first, second, {.relative = 0.25}, {p.memory, p.witness}));
+         }
+         p.answer = all.value();
      }},
     {"depth of convex solids",
      [](Pair& p) {
@@ -208,6 +240,18 @@ const Question questions[] = {
          sheared.R(0, 2) = 0x1p-700;
          sheared.t = Vec3(0.9375, 0.25, 0.125);
          p.answer = digest_depth({a, p.pose_a}, {a, sheared}, p);
+     }},
+    {"signed_distance",
+     [](Pair& p) {
+         const ConvexSolid a(scenes::cube(1)), b(p.b->mesh().vertices());
+         const SignedDistance found = signed_distance({a, p.pose_a}, {b, p.pose_b}, {p.memory, p.witness});
+         p.answer = digest(found.distance) + digest(found.point_a) + digest(found.point_b) + digest(found.direction);
+     }},
+    {"signed_distance_bounds",
+     [](Pair& p) {
+         const Solid a(scenes::cube(1)), b(scenes::torus(4, 3, 0.25));
+         const DistanceBounds bounds = signed_distance_bounds({a, p.pose_a}, {b, p.pose_b}, p.memory);
+         p.answer = digest(bounds.upper) + digest(bounds.lower);
      }},
     {"depth_bounds",
      [](Pair& p) {

@@ -151,6 +151,11 @@ const std::array calls = {
     WorldCall{"depth",
               [](Scene& s) { s.answer = std::to_string(s.world.depth(s.ids[0], s.ids[10], s.memory)->depth); },
               0.03125},
+    WorldCall{"signed_distance",
+              [](Scene& s) {
+                  s.answer = std::to_string(s.world.signed_distance(s.ids[0], s.ids[10], s.memory).distance);
+              },
+              0.0625},
     WorldCall{"depth_bounds",
               [](Scene& s) { s.answer = std::to_string(s.world.depth_bounds(s.ids[0], s.ids[10], s.memory)->upper); },
               0.03125},

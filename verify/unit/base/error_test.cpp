@@ -54,6 +54,14 @@ TEST(Errors, OfArgumentsNamePartAndValue) {
          "a list of 5 bodies came with a list of 4 poses"},
         {null_argument("mesh"), Argument::null, "mesh", 0, "mesh is null"},
         {mesh_and_shape(), Argument::mesh_and_shape, "", 0, "a body was given both a mesh and a shape"},
+        {invalid_size("radius", -1), Argument::size, "radius", -1, "radius is -1, not finite and positive"},
+        {size_not_even("height", 0x1p-1074), Argument::size, "height", 0x1p-1074,
+         "height is 5e-324, and half of it is no double"},
+        {size_too_large("radii(2)", 0x1p1023), Argument::size, "radii(2)", 0x1p1023,
+         "radii(2) is 8.98846567431158e+307: a vertex would be infinite"},
+        {invalid_base(nan), Argument::size, "base", nan, "base is nan, not finite and below all heights"},
+        {invalid_count("sides", 2, 3, 9), Argument::count, "sides", 2, "sides is 2, not from 3 to 9"},
+        {invalid_rows(7, 3), Argument::count, "columns", 3, "7 heights do not make rows of 3 columns"},
     };
     for (const Expected& expected : all) {
         EXPECT_STREQ(expected.error.what(), expected.text);
@@ -111,13 +119,15 @@ TEST(Errors, OfSolidsNameTheDefect) {
     EXPECT_EQ(open.points[1][2], -2);
     EXPECT_STREQ(self_intersection({1, 4}).what(),
                  "triangles 1 and 4 share a segment or more that is not a side of both");
-    const NotSolid dented = dent(edge, 3);
+    const NotSolid dented = dent(edge, 3, 0x1p-52);
     EXPECT_STREQ(dented.what(),
-                 "triangle 5, at its edge from vertex 8 to vertex 6: vertex 3 is beyond its plane: the solid is not "
-                 "convex");
+                 "triangle 5, at its edge from vertex 8 to vertex 6: vertex 3 is beyond its plane by "
+                 "2.220446049250313e-16: the solid is not convex; ConvexSolid(points), in Python "
+                 "ConvexSolid.hull(points), takes the hull of its vertices");
     EXPECT_EQ(dented.triangle, 5u);
     EXPECT_EQ(dented.corner, 2);
     EXPECT_EQ(dented.beyond, 3u);
+    EXPECT_EQ(dented.depth, 0x1p-52);
     EXPECT_STREQ(no_interior(0).what(), "there are no points");
     EXPECT_STREQ(no_interior(5).what(), "the 5 points lie in one plane: there is no interior");
     EXPECT_EQ(no_interior(5).point_count, 5u);

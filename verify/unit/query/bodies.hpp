@@ -132,6 +132,21 @@ inline void expect_answers(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
     EXPECT_EQ(cast(a, Vec3(1, 2, 3), b, 0, ask), still);
 }
 
+// Asks for the bounds, which do not depend on the order, as far as the truth tells.
+inline void expect_signed_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Truth& truth,
+                                 QueryMemory& memory, PairWitness& witness) {
+    const DistanceBounds bounds =
+        counted([](auto&... all) { return signed_distance_bounds(all...); }, a, b, memory, witness);
+    const bool are_solids = a.what->form() != MeshForm::surface && b.what->form() != MeshForm::surface;
+    const double d = distance(a, b, memory);
+    EXPECT_EQ(bounds.lower < 0, truth.relation >= Relation::overlapping && are_solids);
+    EXPECT_LE(bounds.upper, d);
+    if (bounds.lower >= 0) {
+        EXPECT_EQ(bounds.lower, d);
+        EXPECT_EQ(bounds.upper, d);
+    }
+}
+
 // Asks in both orders, with a witness that knows nothing, with what the last pose left, and with nonsense.
 inline void expect_bodies_at(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Truth& truth,
                              QueryMemory& memory, PairWitness& kept) {
@@ -140,6 +155,7 @@ inline void expect_bodies_at(const Posed<MeshShape>& a, const Posed<MeshShape>& 
         expect_answers(a, b, truth, memory, *witness);
         expect_answers(b, a, truth.turned(), memory, *witness);
     }
+    expect_signed_bounds(a, b, truth, memory, kept);
     EXPECT_EQ(intersects(a, b), truth.relation != Relation::apart) << "in the thread's own memory";
 }
 

@@ -1,11 +1,14 @@
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "ecods/error.hpp"
@@ -19,6 +22,8 @@ namespace ecods {
 namespace {
 
 using convex::Hull;
+using scenes::Random;
+using Rational = mpq_class;
 
 std::vector<Vec3> on_ellipsoid(scenes::Random& random, int count, const Vec3& axes = {1, 1, 1}) {
     std::vector<Vec3> points;
@@ -265,6 +270,58 @@ TEST(ConvexHull, OfAnyDoubles) {
         mixed.push_back(p);
     }
     expect_valid(ConvexSolid{std::span<const Vec3>(mixed)});
+}
+
+// Of the distance of a point from the plane through three others.
+Rational distance_squared(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+    const auto minus = [](const Vec3& x, const Vec3& y) {
+        return std::array<Rational, 3>{Rational(x[0]) - y[0], Rational(x[1]) - y[1], Rational(x[2]) - y[2]};
+    };
+    const auto u = minus(b, a), v = minus(c, a), w = minus(p, a);
+    Rational height = 0, length = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const Rational n = u[i] * v[j] - u[j] * v[i];
+        height += n * w[k];
+        length += n * n;
+    }
+    return height * height / length;
+}
+
+// Checks that `rounded` is the double that is nearest to the root.
+void expect_root_of(const Rational& square, double rounded) {
+    const Rational below = (Rational(rounded) + std::nextafter(rounded, 0)) / 2;
+    const Rational above = (Rational(rounded) + std::nextafter(rounded, 1)) / 2;
+    EXPECT_LE(below * below, square);
+    EXPECT_GE(above * above, square);
+}
+
+// Boxes turned at random, their corners rounded to floats. The halves of most rectangles are not in one plane.
+TEST(ConvexSolid, TurnedBoxesHaveDentsThatAreNamed) {
+    Random random(40);
+    int dented = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 half(random.uniform(0.1, 2), random.uniform(0.1, 2), random.uniform(0.1, 2));
+        const Soup whole = soup_of_box(-half, half);
+        const Mat3 R = random.turned().R;
+        std::vector<Vec3> corners;
+        for (const Vec3& v : whole.vertices) corners.push_back((R * v).cast<float>().cast<double>());
+        const auto mesh = Mesh::create(corners, whole.triangles);
+        try {
+            const ConvexSolid solid(mesh);
+        } catch (const NotSolid& error) {
+            ASSERT_EQ(error.reason, NotSolid::Reason::dent);
+            ++dented;
+            const Triangle& t = mesh->triangles()[error.triangle];
+            const Rational depth = distance_squared(corners[t[0]], corners[t[1]], corners[t[2]], corners[error.beyond]);
+            expect_root_of(depth, error.depth);
+            EXPECT_LT(error.depth, 0x1p-21);
+            EXPECT_NE(std::string(error.what()).find("ConvexSolid(points)"), std::string::npos);
+        }
+        const ConvexSolid hull{std::span<const Vec3>(corners)};
+        EXPECT_EQ(ConvexSolidAccess::hull(hull).vertex_count(), 8u);
+    }
+    EXPECT_GT(dented, 340);
 }
 
 TEST(ConvexHull, WhatHasNone) {

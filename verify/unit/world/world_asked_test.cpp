@@ -69,6 +69,7 @@ TEST_P(WorldAskedTest, APairIsOfAnySubjects) {
         for (const Asked& x : first) {
             for (const Asked& y : second) {
                 EXPECT_EQ(world.depth(x, y, memory), depth(posed_a, posed_b));
+                EXPECT_EQ(world.signed_distance(x, y, memory), signed_distance(posed_a, posed_b));
                 EXPECT_EQ(world.depth_bounds(x, y).has_value(), depth_bounds(posed_a, posed_b).has_value());
             }
         }

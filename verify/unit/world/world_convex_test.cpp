@@ -101,6 +101,15 @@ TEST_P(WorldConvexTest, QuestionsAboutAPair) {
     EXPECT_FALSE(std::signbit(back.direction[1]) || std::signbit(back.direction[2])) << "a zero is +0";
     EXPECT_EQ(back.a, depth.b);
     EXPECT_EQ(back.b, depth.a);
+    const SignedDistance found = world.signed_distance(a, b), turned = world.signed_distance(b, a, memory);
+    EXPECT_EQ(found.distance, -0.5);
+    EXPECT_EQ(found.direction, depth.direction);
+    EXPECT_EQ(turned.distance, -0.5);
+    EXPECT_EQ(turned.direction, Vec3(-1, 0, 0));
+    EXPECT_EQ(turned.a, found.b);
+    EXPECT_EQ(turned.b, found.a);
+    EXPECT_EQ(turned.point_a, found.point_b);
+    EXPECT_EQ(turned.point_b, found.point_a);
 }
 
 // It is the second body given that is parted.

@@ -131,4 +131,11 @@ Enclosure enclose_distance(const IntegerPair& pair, const FeaturePair& features)
     return DistanceEnds(pair, features).result(pair.unit);
 }
 
+// The features are certain only if n . w is beyond its error; DistanceEnds computes the same number.
+int certain_side_of_face(const IntegerPair& pair) noexcept {
+    const FeaturePair features = vertex_and(FeatureKind::vertex_face, 0, 0, 0);
+    const TriangleVectors x(pair, features);
+    return dot(x.normal(features), x.w.x) > 0 ? -1 : 1;
+}
+
 }  // namespace ecods::exact

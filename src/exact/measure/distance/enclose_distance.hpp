@@ -21,4 +21,8 @@ struct Enclosure {
 // the closest ones. Holds in any rounding mode, with or without flush-to-zero or fused multiply-add.
 Enclosure enclose_distance(const IntegerPair& pair, const FeaturePair& features) noexcept;
 
+// Returns the sign of n . (p - q), where p is corner 0 of the first triangle, and q a corner and n the normal of the
+// second. It must be certain that p and the second triangle's face contain the only closest points.
+int certain_side_of_face(const IntegerPair& pair) noexcept;
+
 }  // namespace ecods::exact

@@ -107,9 +107,31 @@ class FeatureGuess {
     Index first_[2] = {0, 0};
 };
 
+// Returns the features of a point and a triangle. `x` has the triangle's corners relative to the point.
+FeaturePair guess_of_point(const Point* x) noexcept {
+    const Point e1 = minus(x[1], x[0]), e2 = minus(x[2], x[0]), n = cross(e1, e2);
+    const double b1 = dot(cross(e2, x[0]), n), b2 = dot(cross(x[0], e1), n), b0 = (dot(n, n) - b1) - b2;
+    if (b0 > 0 && b1 > 0 && b2 > 0) return vertex_and(FeatureKind::vertex_face, 0, 0, 0);
+    Candidate best;
+    for (Index i = 0; i < 3; ++i) {
+        const Index next = next_corner(i);
+        const Point e = minus(x[next], x[i]);
+        const double ee = dot(e, e), t = ee > 0 ? clamp(-dot(x[i], e) / ee) : 0;
+        Point z;
+        for (Index k = 0; k < 3; ++k) z[k] = x[i][k] + t * e[k];
+        const double square = dot(z, z);
+        if (!(square < best.square)) continue;
+        const bool is_inside = t > 0 && t < 1;
+        const FeatureKind kind = is_inside ? FeatureKind::vertex_edge : FeatureKind::vertex_vertex;
+        best = {square, vertex_and(kind, 0, 0, t >= 1 ? next : i)};
+    }
+    return best.features;
+}
+
 }  // namespace
 
 FeaturePair guess_features(const IntegerPair& pair) noexcept {
+    if (pair.first_is_point) return guess_of_point(&to_doubles(pair)[3]);
     return FeatureGuess(to_doubles(pair)).find();
 }
 

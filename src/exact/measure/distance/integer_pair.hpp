@@ -14,7 +14,8 @@ namespace ecods::exact {
 struct IntegerPair {
     std::array<IntegerFrame::Point, 6> at;
     int unit;
-    int error;  // 0 if exact, or IntegerFrame::error_units
+    int error;                    // 0 if exact, or IntegerFrame::error_units
+    bool first_is_point = false;  // true if the first three corners are equal: a point
 };
 
 // Returns the corners of triangle a of the frame's first body and triangle b of its second body.

@@ -78,12 +78,17 @@ struct TriangleVectors {
         };
         const bool is_exact = pair.error == 0;
         w = scaled(difference(at(1, q), at(0, p)), is_exact);
-        for (std::size_t k = 0; k < 2; ++k) {
-            other[0][k] = scaled(difference(at(0, p + k + 1), at(0, p)), is_exact);
-            other[1][k] = scaled(difference(at(1, q + k + 1), at(1, q)), is_exact);
-        }
+        is_point = pair.first_is_point;
         for (std::size_t side = 0; side < 2; ++side) {
-            for (std::size_t k = 0; k < 2; ++k) factor[side][k] = power_of_two(other[side][k].shift - w.shift);
+            const std::size_t corner = side == 0 ? p : q;
+            for (std::size_t k = 0; k < 2; ++k) {
+                if (side == 0 && is_point) {
+                    other[side][k] = {{0, 0, 0}, w.shift};
+                } else {
+                    other[side][k] = scaled(difference(at(side, corner + k + 1), at(side, corner)), is_exact);
+                }
+                factor[side][k] = power_of_two(other[side][k].shift - w.shift);
+            }
         }
         eta = 1 + pair.error;
     }
@@ -108,14 +113,16 @@ struct TriangleVectors {
         double low = 0, high = 0;
         for (std::size_t k = 0; k < 2; ++k) {
             low = std::min(low, (dot(n, other[1][k].x) - error) * factor[1][k]);
-            high = std::max(high, (dot(n, other[0][k].x) + error) * factor[0][k]);
+            if (!is_point) high = std::max(high, (dot(n, other[0][k].x) + error) * factor[0][k]);
         }
         return ((first + low) - high) - 4 * two_u * first;
     }
 
     // True if it is certain that the corner at the end of other[side][k] is on its own triangle's side of the plane
-    // through p or q perpendicular to n. `bound` is an upper bound of the dot product's error.
+    // through p or q perpendicular to n. `bound` is an upper bound of the dot product's error. A point has no other
+    // corners.
     bool is_outward(const Point& n, std::size_t side, std::size_t k, double bound) const noexcept {
+        if (side == 0 && is_point) return true;
         const double x = dot(n, other[side][k].x);
         return side == 0 ? x < -bound : x > bound;
     }
@@ -154,6 +161,7 @@ struct TriangleVectors {
     ScaledVector other[2][2];
     double factor[2][2];  // powers of two: a number in the unit of other[][] times factor is in the unit of w
     double eta;
+    bool is_point;  // true if the first triangle is a point: p, with no a1 and a2
 
   private:
     // Returns the triangle that has the edge u: the face's triangle, or the first one.

@@ -158,9 +158,12 @@ double with_sign(std::uint64_t bits, bool negative) noexcept {
 
 }  // namespace
 
+double round_root(NaturalSpan num, NaturalSpan den, int exponent) noexcept {
+    return std::bit_cast<double>(num.empty() ? 0 : std::max<std::uint64_t>(root_bits(num, den, exponent), 1));
+}
+
 double round_root(const SquaredDistance& square) noexcept {
-    const std::uint64_t bits = root_bits(square.num.limbs(), square.den.limbs(), square.exponent);
-    return std::bit_cast<double>(square.num.is_zero() ? 0 : std::max<std::uint64_t>(bits, 1));
+    return round_root(square.num.limbs(), square.den.limbs(), square.exponent);
 }
 
 double round_cosine(NaturalSpan num, NaturalSpan den, bool negative) noexcept {

@@ -23,6 +23,9 @@ struct SquaredDistance {
 // and infinity if it is above the largest double. The floating-point environment has no effect.
 double round_root(const SquaredDistance& square) noexcept;
 
+// Rounds the root of num / den * 4^exponent likewise. den must be positive, and have at most divisor_limbs limbs.
+double round_root(NaturalSpan num, NaturalSpan den, int exponent) noexcept;
+
 // Returns the double nearest to num / den * 2^exponent, or to its negative if `negative`; a zero is +0. den must be >
 // 0.
 double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negative) noexcept;

@@ -1,0 +1,135 @@
+// Half spaces: a ground, a wall, a safety plane. A half space is unbounded, and has no triangles.
+//
+//     const HalfSpace ground(Vec3::UnitZ(), 0);                  // everything with z <= 0
+//     signed_distance({hull, pose}, {ground, Pose{}}).distance   // negative if the hull is partly below it
+//
+// Two-body questions take the body first and the half space second. A World takes a half space as the shape of a body;
+// it answers intersects, relation, distance, signed_distance, within, closest, casts and hits, in any order of the two.
+// Rounded bodies (rounded.hpp) are answered, too, but for casts. Of two half spaces there are no casts: in a world with
+// two, cast() of one of them and meetings() throw NotSupported.
+//
+// Answers are exact for the real points, and depend on the bits of meshes, poses and half spaces alone; numbers are as
+// in distance.hpp. A mesh, whatever its form, meets a half space if one of its vertices does, so surfaces and solids
+// have the same answers, apart from relation(). Cost of each question: a walk of the mesh's tree to its lowest
+// vertices, and some microseconds for numbers that are rounded. Poses must be finite; a question does not check it.
+// All questions throw SingularPose if the matrix of the half space's pose is singular: its image is then flat.
+//
+// Example: verify/examples/how_do_i, stand_on_the_ground().
+#pragma once
+
+#include <optional>
+
+#include "ecods/ask.hpp"
+#include "ecods/export.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/results.hpp"
+#include "ecods/rounded.hpp"
+#include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
+
+namespace ecods {
+
+// The points x with normal . x <= offset (FCL, Coal: Halfspace; Bullet: btStaticPlaneShape; Jolt: PlaneShape). The
+// normal points out of the half space. It may have any length but 0; nothing is normalised.
+//
+// Under a pose, the half space is the image of these points under R v + t, as that of any other body: its normal then
+// is that of the plane's image, which is R times the normal only if R is a rotation.
+class ECODS_API HalfSpace final : public Shape {
+  public:
+    // Throws InvalidArgument if a number is NaN or infinite, or the normal is zero.
+    HalfSpace(const Vec3& normal, double offset);
+
+    const Vec3& normal() const noexcept { return normal_; }
+    double offset() const noexcept { return offset_; }
+
+    ShapeKind kind() const noexcept override { return ShapeKind::half_space(); }
+
+    // Returns a box with infinite ends. If the posed normal is along an axis, the end on that side is finite, and
+    // within one double of the plane. Throws SingularPose, and so do calls of a World that give the pose to a body.
+    Aabb box(const Pose& pose) const override;
+    std::uint64_t digest() const noexcept override;
+
+    // Answer as hit.hpp says of a solid: a line that begins inside hits there, with parameter 0 and kind `inside`; and
+    // it hits the plane, coming from outside (`front`) or from inside (`back`). A line that touches the plane by its
+    // end hits it. A line in the plane is `along` it, up to its end; the leaving point of a ray without end is at
+    // infinity. A segment of length 0 in the plane has the kind `face`. The feature is a face, of triangle 0.
+    bool answers(Question question) const noexcept override { return question == Question::hits; }
+    std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const override;
+    std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const override;
+
+  private:
+    Vec3 normal_;
+    double offset_;
+};
+
+// True if body and half space share a point; touching counts.
+[[nodiscard]] ECODS_API bool intersects(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
+                                        const Ask& ask = {});
+[[nodiscard]] ECODS_API bool intersects(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
+                                        const Ask& ask = {});
+
+// Returns how the body is to the half space: apart; touching, if its lowest points are on the plane; inside, if it has
+// no point outside and some point not on the plane; otherwise overlapping (a solid) or crossing (a surface). A body in
+// the plane is touching, and so is a solid under a singular pose wherever it shares a point.
+[[nodiscard]] ECODS_API Relation relation(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
+                                          const Ask& ask = {});
+[[nodiscard]] ECODS_API Relation relation(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
+                                          const Ask& ask = {});
+
+// Returns the distance; 0 exactly if they intersect.
+[[nodiscard]] ECODS_API double distance(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
+                                        const Ask& ask = {});
+[[nodiscard]] ECODS_API double distance(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
+                                        const Ask& ask = {});
+
+// Returns the signed distance, the points and the direction, as of two convex solids (SignedDistance): the distance of
+// the body's lowest point from the plane; if that is inside, minus the length of the shortest translation that takes
+// the body out of the half space; 0 exactly if they touch. It is so for bodies of any form, also with dents, since only
+// translations across the plane part them. The points are the lowest vertex, or the lowest point of the ball around it,
+// and the foot of the perpendicular on the plane; the features those of closest() where the body is outside; and the
+// direction is that from outside to the plane. Of several lowest vertices the first is given, by triangle and corner.
+[[nodiscard]] ECODS_API SignedDistance signed_distance(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
+                                                       const Ask& ask = {});
+[[nodiscard]] ECODS_API SignedDistance signed_distance(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
+                                                       const Ask& ask = {});
+
+// True if the real distance is at most max_distance. Throws InvalidArgument for a negative distance or NaN.
+[[nodiscard]] ECODS_API bool within(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
+                                    double max_distance, const Ask& ask = {});
+[[nodiscard]] ECODS_API bool within(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space, double max_distance,
+                                    const Ask& ask = {});
+
+// Returns the distance and two closest points: the body's lowest vertex, and the foot of its perpendicular on the
+// plane, which is the face of triangle 0. Of several lowest vertices the first is given, by triangle and corner. If
+// that vertex is in the half space, the kind is `contained`: the distance is 0, both points are that vertex, and the
+// half space's feature is no_feature. Of a rounded body, the point is otherwise the lowest of the ball around the
+// vertex.
+[[nodiscard]] ECODS_API ClosestPoints closest(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
+                                              const Ask& ask = {});
+[[nodiscard]] ECODS_API ClosestPoints closest(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
+                                              const Ask& ask = {});
+
+// Returns the first contact of the body, translated by time times `motion`, with the half space; nullopt if the real
+// time is above max_time. The features are the lowest vertex, as of closest(), and the face of triangle 0; at time 0
+// those of closest() where they intersect. Throws InvalidArgument if a coordinate of the motion is not finite, or
+// max_time is NaN or negative. A max_time above 1 counts as 1.
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& body, const Vec3& motion,
+                                                         const Posed<HalfSpace>& half_space, double max_time = 1,
+                                                         const Ask& ask = {});
+
+// Returns the first contact of a body whose points move on straight lines between two poses (cast.hpp). The half space
+// may be translated. Its matrix may not change, not even the sign of a zero: throws NotSupported. Of several vertices
+// that touch first, the first is given.
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<MeshShape>& body,
+                                                         const Moving<HalfSpace>& half_space, double max_time = 1,
+                                                         const Ask& ask = {});
+
+// These answer the questions about two half spaces, which intersect unless their planes are parallel and their normals
+// opposed. The relation is never crossing.
+[[nodiscard]] ECODS_API bool intersects(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, const Ask& ask = {});
+[[nodiscard]] ECODS_API Relation relation(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, const Ask& ask = {});
+[[nodiscard]] ECODS_API double distance(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, const Ask& ask = {});
+[[nodiscard]] ECODS_API bool within(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, double max_distance,
+                                    const Ask& ask = {});
+
+}  // namespace ecods

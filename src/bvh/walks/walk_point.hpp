@@ -1,0 +1,34 @@
+// walk_point finds the triangles of a tree that may be nearest to a point. It visits the nearest nodes first.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "bvh/axes/distance_axes.hpp"
+#include "bvh/walks/node_stack.hpp"
+
+namespace ecods {
+
+// A triangle and a lower bound of its squared distance, in units of the axes.
+struct NearTriangle {
+    float lower;
+    std::uint32_t triangle;
+};
+
+// The result of walks from a point, and scratch memory that later walks reuse.
+struct PointWalk {
+    std::vector<NearTriangle> found;
+    // Upper bound of the squared distances of the triangles that may be nearest.
+    float limit = std::numeric_limits<float>::infinity();
+    std::uint64_t node_count = 0, triangle_count = 0;  // of all walks
+
+    std::vector<OrderedNode> stack;
+};
+
+// Sets walk.found to all triangles that may be nearest to the point, those that share a point with it included, and
+// walk.limit to an upper bound of the least squared distance. `axes` must be bound to the tree and the point, and
+// useful.
+void walk_point(const MeshBvh& tree, const PointAxes& axes, PointWalk& walk);
+
+}  // namespace ecods

@@ -1,0 +1,17 @@
+// Compares exact distances with exact sums, and rounds their difference once: the distance of two rounded bodies is
+// that of their cores less the sum of the radii.
+#pragma once
+
+#include "exact/measure/round/squared_distance.hpp"
+#include "exact/number/exact_sum.hpp"
+
+namespace ecods::exact {
+
+// Returns the sign of distance - sum. The sum must not be negative.
+int compare(const SquaredDistance& square, const ExactSum& sum);
+
+// Returns the double nearest to distance - margin, ties to even; 0 if the difference is not positive, otherwise at
+// least 2^-1074; infinity above the largest double.
+double round_beyond(const SquaredDistance& square, const ExactSum& margin);
+
+}  // namespace ecods::exact

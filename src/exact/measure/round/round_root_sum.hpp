@@ -1,0 +1,15 @@
+// round_root_sum rounds the sum of a rational number and a square root once.
+#pragma once
+
+#include "exact/number/root_sum.hpp"
+
+namespace ecods::exact {
+
+// Returns the double nearest to the sum, ties to even; infinity if it is beyond the largest double; a zero is +0. The
+// floating-point environment has no effect.
+double round_root_sum(const RootSum& sum);
+
+// Returns the same, but 0 if the sum is not positive, and at least 2^-1074 if it is.
+double round_positive_part(const RootSum& sum);
+
+}  // namespace ecods::exact

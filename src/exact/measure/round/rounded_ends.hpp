@@ -1,0 +1,42 @@
+// A rounded body is a core and all points within a radius of it. The point of it that is closest to another body is
+// radius times a unit vector away from the core's closest point; each coordinate is rounded once.
+#pragma once
+
+#include <array>
+
+#include "ecods/pose.hpp"
+#include "exact/measure/round/exact_point.hpp"
+#include "exact/measure/round/limb_vectors.hpp"
+#include "exact/number/exact_sum.hpp"
+#include "exact/number/long_vector.hpp"
+
+namespace ecods::exact {
+
+// The radii of two bodies, which are finite and not negative.
+struct Radii {
+    double a = 0, b = 0;
+
+    ExactSum sum() const { return ExactSum(a).plus(b); }
+};
+
+// An integer vector, and its squared length.
+struct LongDirection {
+    LongVector x;
+    Integer square;
+
+    template <int M>
+    static LongDirection of(const LimbVector<M>& v, bool is_turned) {
+        LongDirection result;
+        for (std::size_t k = 0; k < 3; ++k) {
+            result.x[k] = Integer(NaturalSpan(v[k].limbs), (v[k].negative != 0) != is_turned);
+            result.square = result.square + result.x[k] * result.x[k];
+        }
+        return result;
+    }
+};
+
+// Returns point + radius n / |n| in world coordinates, each rounded once to the nearest double, ties to even; a zero is
+// +0. The point is relative to `origin`. n must not be zero.
+Vec3 round_end(const PointRef& origin, const ExactPoint& point, double radius, const LongDirection& n);
+
+}  // namespace ecods::exact

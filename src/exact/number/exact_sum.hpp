@@ -1,0 +1,61 @@
+// An ExactSum is the exact sum of up to four doubles: radii, a clearance, and a distance that is asked about. A sum
+// that is rounded would take balls that meet for balls that touch.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "base/next.hpp"
+#include "exact/number/integer.hpp"
+
+namespace ecods::exact {
+
+class ExactSum {
+  public:
+    // Make the sum 0, and the sum x, which must be finite.
+    ExactSum() noexcept = default;
+    ExactSum(double x);
+
+    // Returns the sum plus x, or minus x. A sum has up to four terms that are not zero.
+    ExactSum plus(double x) const;
+    ExactSum minus(double x) const { return plus(-x); }
+    ExactSum operator-() const;
+
+    int sign() const noexcept { return sign_; }  // -1, 0 or 1
+    // Returns the greatest double that is at most the sum, and the least double that is at least the sum. Beyond the
+    // largest double, one of them is infinite.
+    double lower() const noexcept { return lower_; }
+    double upper() const noexcept { return upper_; }
+    bool is_double() const noexcept { return is_double_; }  // then lower() and upper() are the sum
+
+    // The sum is m 2^e. The sum of four doubles is a multiple of 2^-1074 below 2^1026, so m has at most 2100 bits.
+    struct Scaled {
+        Integer m;
+        int e = 0;
+    };
+    Scaled scaled() const;
+
+  private:
+    void find_bounds();
+
+    std::array<double, 4> terms_{};
+    std::size_t count_ = 0;
+    double lower_ = 0, upper_ = 0;
+    int sign_ = 0;
+    bool is_double_ = true;
+};
+
+// A limit of distances: a sum, which is included unless the limit is strict.
+struct Limit {
+    ExactSum sum;
+    bool is_strict = false;
+
+    // Returns the greatest double within the limit, which must not be zero. So a number up to that double is within the
+    // limit, and a number of at least the next double is not.
+    double greatest() const noexcept { return is_strict && sum.is_double() ? next_down(sum.lower()) : sum.lower(); }
+    // True if a number is within the limit, given the sign of its difference from the sum.
+    bool holds(int difference) const noexcept { return difference < (is_strict ? 0 : 1); }
+};
+
+}  // namespace ecods::exact

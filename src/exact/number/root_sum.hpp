@@ -1,0 +1,33 @@
+// A RootSum is the sum of a rational number and a square root of one, of either sign. Distances of rounded bodies and
+// the coordinates of their points are such numbers.
+#pragma once
+
+#include <cstdint>
+
+#include "exact/number/integer.hpp"
+
+namespace ecods::exact {
+
+// Represents (x / z) 2^e + sqrt(y / w) 2^f, or the difference if `is_subtracted`. y >= 0; z and w are positive.
+struct RootSum {
+    Integer x, z{std::int64_t{1}};
+    int e = 0;
+    Integer y, w{std::int64_t{1}};
+    int f = 0;
+    bool is_subtracted = false;
+
+    // Returns -1, 0 or 1: the sign of the root as it is added.
+    int root_sign() const noexcept { return y.is_zero() ? 0 : is_subtracted ? -1 : 1; }
+};
+
+// Returns the sign of |x / z| 2^e - sqrt(y / w) 2^f.
+int compare_parts(const RootSum& sum);
+
+// Returns the sign of the sum, -1, 0 or 1.
+//
+// If the two parts have one sign, or one is zero, this is clear; otherwise the greater part decides. Parts are compared
+// by their squares, x^2 w 4^e and y z^2 4^f. So nothing is squared twice: if x has a bits, y b, z c and w d bits, the
+// longest number has max(2a + d, b + 2c) bits, and as many more as the parts' units lie apart.
+int sign(const RootSum& sum);
+
+}  // namespace ecods::exact

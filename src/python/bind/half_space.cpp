@@ -1,0 +1,101 @@
+// Binds half_space.hpp: a ground or a wall, and the questions about a body and a half space.
+#include "ecods/half_space.hpp"
+
+#include <sstream>
+#include <utility>
+
+#include "python/bind/ask.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/shapes.hpp"
+
+namespace ecods::python {
+namespace {
+
+using SharedHalfSpace = std::shared_ptr<HalfSpace>;
+using MovingHalfSpace = Moving<HalfSpace>;
+
+std::string half_space_text(const HalfSpace& self) {
+    std::ostringstream text;
+    text << "<ecods.HalfSpace of normal " << std::string(py::repr(py::cast(self.normal()).attr("tolist")()))
+         << " and offset " << std::string(py::repr(py::float_(self.offset()))) << ">";
+    return text.str();
+}
+
+void add_half_space_class(py::module_& m) {
+    py::class_<PosedHalfSpace> posed(m, "PosedHalfSpace", "A HalfSpace at a pose: HalfSpace.at().");
+    py::class_<HalfSpace, SharedHalfSpace> type(m, "HalfSpace",
+                                                "The points x with normal . x <= offset: a ground, a wall. The normal "
+                                                "points out of it, and may have any length "
+                                                "but 0. Immutable.");
+    type.def(py::init<const Vec3&, double>(), py::arg("normal"), py::arg("offset"),
+             "Raises InvalidArgument if a number is NaN or infinite, or the normal is zero.");
+    type.def_property_readonly("normal", &HalfSpace::normal, "(3,) float64, as given.");
+    type.def_property_readonly("offset", &HalfSpace::offset, "As given.");
+    type.def_property_readonly("digest", &HalfSpace::digest, "A hash of the numbers, the same on every machine.");
+    type.def(
+        "box", &HalfSpace::box, py::arg("pose") = py::none(),
+        "A box (2, 3) with infinite ends, but for a side on which the plane is across an axis. Raises SingularPose.");
+    type.def(
+        "at", [](SharedHalfSpace self, const Pose& pose) { return PosedHalfSpace(std::move(self), pose); },
+        py::arg("pose"), "The half space at a pose (4, 4) or (3, 4). Raises InvalidArgument.");
+    type.def("__repr__", &half_space_text);
+    type.def(py::pickle([](const HalfSpace& self) { return py::make_tuple(self.normal(), self.offset()); },
+                        [](const py::tuple& state) {
+                            return std::make_shared<HalfSpace>(state[0].cast<Vec3>(), state[1].cast<double>());
+                        }));
+    copies_are_itself(type);
+    posed.def_property_readonly(
+        "shape", [](const PosedHalfSpace& self) { return std::const_pointer_cast<HalfSpace>(self.kept); },
+        "The HalfSpace.");
+    posed.def_readonly("pose", &PosedHalfSpace::pose, "(4, 4) float64.");
+    posed.def("__repr__", [](const PosedHalfSpace& self) {
+        return "PosedHalfSpace(" + half_space_text(*self.what) + ", " + pose_text("pose", self.pose) + ")";
+    });
+    posed.def(py::pickle(
+        [](const PosedHalfSpace& self) {
+            return py::make_tuple(std::const_pointer_cast<HalfSpace>(self.kept), self.pose);
+        },
+        [](const py::tuple& state) {
+            return PosedHalfSpace(state[0].cast<SharedHalfSpace>(), state[1].cast<Pose>());
+        }));
+    posed.def(py::init([](SharedHalfSpace shape, const Pose& pose) { return PosedHalfSpace(std::move(shape), pose); }),
+              py::arg("shape"), py::arg("pose") = py::none(), "HalfSpace.at(pose). Raises InvalidArgument.");
+    py::implicitly_convertible<HalfSpace, PosedHalfSpace>();
+}
+
+// The questions that a body of any kind and a half space have in common.
+template <class Body>
+void add_half_space_questions(py::module_& m) {
+    const py::arg a("a"), b("b");
+    m.def("intersects", asked<Body, PosedHalfSpace>(ECODS_QUESTION(intersects)), a, b);
+    m.def("relation", asked<Body, PosedHalfSpace>(ECODS_QUESTION(relation)), a, b);
+    m.def("distance", asked<Body, PosedHalfSpace>(ECODS_QUESTION(distance)), a, b);
+    m.def("within", asked<Body, PosedHalfSpace, double>(ECODS_QUESTION(within)), a, b, py::arg("max_distance"));
+}
+
+template <class Body>
+void add_half_space_numbers(py::module_& m) {
+    const py::arg a("a"), b("b");
+    m.def("signed_distance", asked<Body, PosedHalfSpace>(ECODS_QUESTION(signed_distance)), a, b,
+          "SignedDistance of the body's lowest point from the plane, negative inside: then how far the body must go to "
+          "leave the half space. Raises SingularPose.");
+    m.def("closest", asked<Body, PosedHalfSpace>(ECODS_QUESTION(closest)), a, b,
+          "ClosestPoints: the lowest vertex, and its foot on the plane. Raises SingularPose.");
+}
+
+}  // namespace
+
+void bind_half_spaces(py::module_& m) {
+    const py::arg a("a"), b("b");
+    const auto max_time = py::arg("max_time") = 1.0;
+    add_half_space_class(m);
+    add_half_space_questions<PosedMesh>(m);
+    add_half_space_questions<PosedRounded>(m);
+    add_half_space_questions<PosedHalfSpace>(m);
+    add_half_space_numbers<PosedMesh>(m);
+    add_half_space_numbers<PosedRounded>(m);
+    m.def("cast", asked<PosedMesh, Vec3, PosedHalfSpace, double>(ECODS_QUESTION(cast)), a, py::arg("motion"), b,
+          max_time, "FirstContact of a body that is translated with a half space. Raises InvalidArgument.");
+}
+
+}  // namespace ecods::python

@@ -1,0 +1,109 @@
+// Binds rounded.hpp: spheres, capsules, margins around bodies, and the questions about them.
+#include <sstream>
+#include <utility>
+
+#include "python/bind/ask.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/shapes.hpp"
+
+namespace ecods::python {
+namespace {
+
+using SharedRounded = std::shared_ptr<Rounded>;
+
+SharedRounded made(const std::shared_ptr<const Rounded>& shape) {
+    return std::const_pointer_cast<Rounded>(shape);
+}
+
+SharedRounded make_rounded(const AnyShape& shape, double radius) {
+    return made(rounded(to_shape(shape), radius));
+}
+
+std::string rounded_text(const Rounded& self) {
+    std::ostringstream text;
+    text << "<ecods.Rounded of radius " << std::string(py::repr(py::float_(self.radius()))) << " around "
+         << std::string(py::repr(py::cast(to_python(self.core_ptr())))) << ">";
+    return text.str();
+}
+
+void add_class(py::module_& m) {
+    py::class_<PosedRounded> posed(m, "PosedRounded", "A Rounded at a pose, which moves the core alone: Rounded.at().");
+    py::class_<Rounded, SharedRounded> type(
+        m, "Rounded",
+        "All points within `radius` of a core, a Mesh, Solid or ConvexSolid. A pose moves the core; it does not scale "
+        "the radius. sphere() and capsule() make some. Immutable.");
+    type.def(py::init([](const std::shared_ptr<MeshShape>& core, double radius) {
+                 return std::make_shared<Rounded>(core, radius);
+             }),
+             py::arg("core"), py::arg("radius"),
+             "Raises InvalidArgument if the radius is negative, NaN or infinite, or the core is None.");
+    type.def_property_readonly(
+        "core", [](const Rounded& self) { return to_python(self.core_ptr()); }, "The Mesh, Solid or ConvexSolid.");
+    type.def_property_readonly("radius", &Rounded::radius, "A length of the world.");
+    type.def_property_readonly("digest", &Rounded::digest, "A hash of core and radius, the same on every machine.");
+    type.def("box", &Rounded::box, py::arg("pose") = py::none(), "A box (2, 3) that contains the body at the pose.");
+    type.def(
+        "at", [](SharedRounded self, const Pose& pose) { return PosedRounded(std::move(self), pose); }, py::arg("pose"),
+        "The shape at a pose (4, 4) or (3, 4). Raises InvalidArgument.");
+    type.def("__repr__", &rounded_text);
+    type.def(py::pickle([](const Rounded& self) { return py::make_tuple(to_python(self.core_ptr()), self.radius()); },
+                        [](const py::tuple& state) {
+                            return std::make_shared<Rounded>(state[0].cast<std::shared_ptr<MeshShape>>(),
+                                                             state[1].cast<double>());
+                        }));
+    copies_are_itself(type);
+    posed.def_property_readonly(
+        "shape", [](const PosedRounded& self) { return made(self.kept); }, "The Rounded.");
+    posed.def_readonly("pose", &PosedRounded::pose, "(4, 4) float64.");
+    posed.def("__repr__", [](const PosedRounded& self) {
+        return "PosedRounded(" + rounded_text(*self.what) + ", " + pose_text("pose", self.pose) + ")";
+    });
+    posed.def(py::pickle(
+        [](const PosedRounded& self) { return py::make_tuple(made(self.kept), self.pose); },
+        [](const py::tuple& state) { return PosedRounded(state[0].cast<SharedRounded>(), state[1].cast<Pose>()); }));
+    py::implicitly_convertible<Rounded, PosedRounded>();
+    posed.def(py::init([](SharedRounded shape, const Pose& pose) { return PosedRounded(std::move(shape), pose); }),
+              py::arg("shape"), py::arg("pose") = py::none(), "Rounded.at(pose). Raises InvalidArgument.");
+}
+
+template <class A, class B>
+void add_questions(py::module_& m) {
+    const py::arg a("a"), b("b"), max_distance("max_distance");
+    const auto witness = py::arg("witness") = py::none();
+    const auto infinite = std::numeric_limits<double>::infinity();
+    m.def("intersects", asked_with_witness<A, B>(ECODS_QUESTION(intersects)), a, b, witness);
+    m.def("relation", asked<A, B>(ECODS_QUESTION(relation)), a, b,
+          "Raises NotSupported if a Rounded with a core that is not convex shares inner points with the other body.");
+    m.def("distance", asked_with_witness<A, B>(ECODS_QUESTION(distance)), a, b, witness);
+    m.def("within", asked_with_witness<A, B, double>(ECODS_QUESTION(within)), a, b, max_distance, witness);
+    m.def("closest", asked_with_witness<A, B>(ECODS_QUESTION(closest)), a, b, witness,
+          "ClosestPoints on the rounded surfaces, and the features of the cores.");
+    m.def(
+        "distance_bounds",
+        [](const A& x, const B& y, double relative, double absolute, double most, PairWitness* known) {
+            const DistanceTolerance tolerance{.relative = relative, .absolute = absolute, .max_distance = most};
+            return ask(known, [&](const Ask& how) { return distance_bounds(x, y, tolerance, how); });
+        },
+        a, b, py::arg("relative") = 0.0, py::arg("absolute") = 0.0, py::arg("max_distance") = infinite, witness);
+}
+
+}  // namespace
+
+void bind_rounded(py::module_& m) {
+    add_class(m);
+    m.def(
+        "sphere", [](double radius, const Vec3& center) { return made(sphere(radius, center)); }, py::arg("radius"),
+        py::arg("center") = Vec3(Vec3::Zero()), "A ball, as a Rounded. Raises InvalidArgument.");
+    m.def(
+        "capsule", [](const Vec3& p, const Vec3& q, double radius) { return made(capsule(p, q, radius)); },
+        py::arg("p"), py::arg("q"), py::arg("radius"),
+        "All points within `radius` of the segment from p (3,) to q (3,), as a Rounded. Raises InvalidArgument.");
+    m.def("rounded", &make_rounded, py::arg("shape"), py::arg("radius"),
+          "A Mesh, Solid or ConvexSolid with a margin around it, or a Rounded with a greater radius. Raises "
+          "InvalidArgument, and NotSupported if the sum of two radii is no double.");
+    add_questions<PosedRounded, PosedRounded>(m);
+    add_questions<PosedRounded, PosedMesh>(m);
+    add_questions<PosedMesh, PosedRounded>(m);
+}
+
+}  // namespace ecods::python

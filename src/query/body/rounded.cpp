@@ -1,0 +1,155 @@
+// Answers the questions of rounded.hpp by those about the cores, with the exact sum of the radii as a margin.
+#include "ecods/rounded.hpp"
+
+#include <limits>
+
+#include "base/double_key.hpp"
+#include "base/limits.hpp"
+#include "base/next.hpp"
+#include "query/body/core_distance.hpp"
+#include "query/body/rounded_pair.hpp"
+#include "query/body/segment_filter.hpp"
+#include "query/distance/surface_distance.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double double_max = std::numeric_limits<double>::max();
+
+double from_zero(double x) noexcept {
+    return key_of(x) > 0 ? x : 0;
+}
+
+// Returns the bounds of D - margin, or of 0 if that is more, from bounds of D.
+DistanceBounds reduced(const DistanceBounds& bounds, const exact::ExactSum& margin) {
+    const auto is_infinite = [](double x) { return key_of(x) == infinity_key; };
+    DistanceBounds result = bounds;
+    if (!is_infinite(bounds.lower)) result.lower = from_zero((-margin).plus(bounds.lower).lower());
+    if (!is_infinite(bounds.upper)) result.upper = from_zero((-margin).plus(bounds.upper).upper());
+    return result;
+}
+
+}  // namespace
+
+// Spheres and capsules are tried in doubles. Bodies without radii are asked about as their cores are.
+std::optional<int> RoundedPair::filtered(double max_distance, const Ask& ask) const {
+    const bool has_radius = key_of(a.radius) != 0 || key_of(b.radius) != 0;
+    if (!has_radius || !is_segment(*a.core.what) || !is_segment(*b.core.what)) return std::nullopt;
+    const auto sign = compare_segments(a.core, b.core, a.radius, b.radius, max_distance);
+    if (sign) {
+        Asking asking(ask);
+        QueryCounts& counts = QueryMemoryAccess::state(asking.memory()).counts;
+        ++counts.queries;
+        ++counts.distances.enclosures;
+    }
+    return sign;
+}
+
+bool RoundedPair::intersects(const Ask& ask) const {
+    if (const auto sign = filtered(0, ask)) return *sign < 0;
+    return cores::within(a.core, b.core, exact::Limit{radii().sum()}, ask);
+}
+
+double RoundedPair::distance(const Ask& ask) const {
+    if (const auto sign = filtered(0, ask); sign && *sign < 0) return 0;
+    return cores::distance(a.core, b.core, radii().sum(), ask);
+}
+
+bool RoundedPair::within(double max_distance, const Ask& ask) const {
+    require_distance(max_distance);
+    if (key_of(max_distance) == infinity_key) return true;
+    if (const auto sign = filtered(max_distance, ask)) return *sign < 0;
+    return cores::within(a.core, b.core, exact::Limit{radii().sum().plus(max_distance)}, ask);
+}
+
+ClosestPoints RoundedPair::closest(const Ask& ask) const {
+    return cores::closest(a.core, b.core, radii(), ask);
+}
+
+// Bounds of the cores' distance suffice if they are narrow enough once the margin is taken off. Otherwise the distance
+// is rounded to nearest, and one comparison says on which side of the real one it is.
+DistanceBounds RoundedPair::distance_bounds(const DistanceTolerance& tolerance, const Ask& ask) const {
+    surface::require_valid(tolerance);
+    const exact::ExactSum margin = radii().sum();
+    if (margin.sign() == 0) return ecods::distance_bounds(a.core, b.core, tolerance, ask);
+    Asking asking(ask);
+    const Ask in_memory(asking.memory(), asking.witness());
+    DistanceTolerance of_cores = tolerance;
+    if (key_of(tolerance.max_distance) != infinity_key)
+        of_cores.max_distance = margin.plus(tolerance.max_distance).upper();
+    const DistanceBounds rough = reduced(ecods::distance_bounds(a.core, b.core, of_cores, in_memory), margin);
+    if (key_of(rough.lower) > key_of(tolerance.max_distance) || surface::is_narrow(rough, tolerance)) return rough;
+    const double nearest = distance(in_memory);
+    if (key_of(nearest) == 0) return {0, 0};
+    if (key_of(nearest) == infinity_key) return {double_max, infinity};
+    const bool is_above = cores::within(a.core, b.core, exact::Limit{margin.plus(nearest)}, in_memory);
+    return is_above ? DistanceBounds{next_down(nearest), nearest} : DistanceBounds{nearest, next_up(nearest)};
+}
+
+bool intersects(const Posed<Rounded>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.intersects(ask);
+}
+bool intersects(const Posed<Rounded>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return RoundedPair{a, b}.intersects(ask);
+}
+bool intersects(const Posed<MeshShape>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.intersects(ask);
+}
+
+Relation relation(const Posed<Rounded>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.relation(ask);
+}
+Relation relation(const Posed<Rounded>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return RoundedPair{a, b}.relation(ask);
+}
+Relation relation(const Posed<MeshShape>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.relation(ask);
+}
+
+double distance(const Posed<Rounded>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.distance(ask);
+}
+double distance(const Posed<Rounded>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return RoundedPair{a, b}.distance(ask);
+}
+double distance(const Posed<MeshShape>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.distance(ask);
+}
+
+bool within(const Posed<Rounded>& a, const Posed<Rounded>& b, double max_distance, const Ask& ask) {
+    return RoundedPair{a, b}.within(max_distance, ask);
+}
+bool within(const Posed<Rounded>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
+    return RoundedPair{a, b}.within(max_distance, ask);
+}
+bool within(const Posed<MeshShape>& a, const Posed<Rounded>& b, double max_distance, const Ask& ask) {
+    return RoundedPair{a, b}.within(max_distance, ask);
+}
+
+ClosestPoints closest(const Posed<Rounded>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.closest(ask);
+}
+ClosestPoints closest(const Posed<Rounded>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return RoundedPair{a, b}.closest(ask);
+}
+ClosestPoints closest(const Posed<MeshShape>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.closest(ask);
+}
+
+DistanceBounds distance_bounds(const Posed<Rounded>& a, const Posed<Rounded>& b, const DistanceTolerance& tolerance,
+                               const Ask& ask) {
+    return RoundedPair{a, b}.distance_bounds(tolerance, ask);
+}
+DistanceBounds distance_bounds(const Posed<Rounded>& a, const Posed<MeshShape>& b, const DistanceTolerance& tolerance,
+                               const Ask& ask) {
+    return RoundedPair{a, b}.distance_bounds(tolerance, ask);
+}
+DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<Rounded>& b, const DistanceTolerance& tolerance,
+                               const Ask& ask) {
+    return RoundedPair{a, b}.distance_bounds(tolerance, ask);
+}
+
+}  // namespace ecods

@@ -1,0 +1,38 @@
+// Two bodies of a question, at least one of which may be rounded, as cores and radii.
+#pragma once
+
+#include <optional>
+
+#include "ecods/pose.hpp"
+#include "ecods/rounded.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
+
+namespace ecods {
+
+struct CoreAndRadius {
+    CoreAndRadius(const Posed<Rounded>& posed)
+        : core(posed.what->core(), posed.pose), radius(posed.what->radius()), kind(posed.what->kind()) {}
+    CoreAndRadius(const Posed<MeshShape>& posed) : core(*posed.what, posed.pose) {}
+
+    Posed<MeshShape> core;
+    double radius = 0;  // not -0
+    ShapeKind kind = ShapeKind::mesh();
+};
+
+// The questions of rounded.hpp. All shapes and poses must outlive the call.
+struct RoundedPair {
+    exact::Radii radii() const noexcept { return {a.radius, b.radius}; }
+    // Returns the sign of the distance of the cores less the radii and max_distance, if doubles decide it (-1 or 1).
+    std::optional<int> filtered(double max_distance, const Ask& ask) const;
+
+    bool intersects(const Ask& ask) const;
+    Relation relation(const Ask& ask) const;
+    double distance(const Ask& ask) const;
+    bool within(double max_distance, const Ask& ask) const;
+    ClosestPoints closest(const Ask& ask) const;
+    DistanceBounds distance_bounds(const DistanceTolerance& tolerance, const Ask& ask) const;
+
+    CoreAndRadius a, b;
+};
+
+}  // namespace ecods

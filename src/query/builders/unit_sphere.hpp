@@ -1,0 +1,21 @@
+// Makes meshes with vertices on the unit sphere.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ecods/mesh.hpp"
+
+namespace ecods::builders {
+
+struct UnitSphere {
+    std::vector<std::array<std::int64_t, 3>> points;  // in fixed point, within a few units
+    std::vector<Triangle> triangles;                  // turned outwards
+};
+
+// Returns an icosahedron, each triangle divided into four at the middles of its sides, `subdivisions` times. The
+// middles are moved out to the sphere. From the first subdivision on, there is a vertex on each half axis.
+UnitSphere subdivide_icosahedron(std::uint32_t subdivisions);
+
+}  // namespace ecods::builders

@@ -1,0 +1,64 @@
+// Searches for the triangles of a posed mesh that are nearest to a point.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "bvh/walks/walk_point.hpp"
+#include "query/distance/distance_search.hpp"
+#include "query/intersection/query_memory.hpp"
+#include "query/shape/mesh_body.hpp"
+
+namespace ecods {
+
+// The only feature of a body that contains a closest point: a face, an open edge or a vertex, as the least triangle
+// among those found has it.
+struct OnlyFeature {
+    Feature feature;
+    // The sign of n . (point - corner) if it is a face, where n is the normal (q - p) x (r - p) of its posed corners.
+    int side = 0;
+};
+
+// A point is the first body of a pair: the mesh of point_shape(), translated. So answers are those of DistanceSearch.
+// The walk of one tree, and doubles, leave few triangles; if floats cannot distinguish nodes, DistanceSearch answers.
+class PointSearch {
+  public:
+    // `body` and `memory` must outlive the search.
+    PointSearch(const Posed<MeshShape>& body, QueryMemory& memory);
+    PointSearch(const PointSearch&) = delete;
+    PointSearch& operator=(const PointSearch&) = delete;
+
+    // Finds the triangles that may be nearest to the point, which must be finite. Call it before each of the following
+    // functions, which may be called in any order after it.
+    void find(const Vec3& point);
+
+    // Returns the least distance, rounded once; 0 exactly if the point is on the surface.
+    double distance();
+    // Returns what closest() of the point and the body gives; point_a need not be set.
+    ClosestPoints closest();
+    // Returns the feature that certainly contains the only closest point; nullopt if doubles prove none, or the point
+    // is on the surface.
+    std::optional<OnlyFeature> only() const;
+
+  private:
+    struct Memory final : QueryMemoryPart {
+        TriangleDistances pair;
+        DistanceSieve sieve;
+        PointWalk walk;
+    };
+
+    Posed<MeshShape> point() const { return {point_shape(), at_}; }
+    void take(const NearTriangle& near);
+    double round(const DistanceSieve::Open& open);
+
+    const Posed<MeshShape>& posed_;
+    const MeshBody body_;
+    QueryMemory& memory_;
+    Memory& working_;
+    QueryCounts& counts_;
+    Pose at_;
+    PointAxes axes_;
+    std::optional<std::uint32_t> touched_;  // the least triangle that contains the point
+};
+
+}  // namespace ecods

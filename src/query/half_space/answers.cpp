@@ -1,0 +1,218 @@
+// Answers the questions of half_space.hpp about a body and a half space, from the body's lowest vertices.
+//
+// A rounded body is asked about as its core is: the ball around a point reaches as far below the point everywhere, so
+// the signed distance is that of the core less the radius.
+#include <optional>
+
+#include "base/limits.hpp"
+#include "ecods/half_space.hpp"
+#include "exact/number/exact_sum.hpp"
+#include "geometry/find_invalid.hpp"
+#include "query/body/posed_body.hpp"
+#include "query/body/rounded_pair.hpp"
+#include "query/half_space/lowest.hpp"
+#include "query/half_space/round.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods {
+namespace half_spaces {
+namespace {
+
+using exact::ScaledInteger;
+
+// A question about a body and a half space, under way.
+class Asked {
+  public:
+    Asked(const CoreAndRadius& body, const Posed<HalfSpace>& half_space, const Ask& ask)
+        : asking_(ask),
+          body_(body.core),
+          is_solid_(body.core.what->form() != MeshForm::surface),
+          radius_(body.radius),
+          plane_(half_space),
+          heights_(plane_, body.core.pose) {
+        ++QueryMemoryAccess::state(asking_.memory()).counts.queries;
+    }
+
+    const Plane& plane() const noexcept { return plane_; }
+
+    bool intersects() { return has_radius() ? is_within(0) : reaches_plane(shape(), heights_, asking_.memory()); }
+
+    // Decides if the real distance is at most max_distance, which is finite.
+    bool is_within(double max_distance) {
+        find_lowest();
+        const HeightBounds h = heights_.bounds(vertex());
+        if (h.high <= 0) return true;
+        const auto limit = exact::ExactSum(radius_).plus(max_distance);
+        if (h.high <= plane_.times_length(limit.lower()).low) return true;
+        if (h.low > plane_.times_length(limit.upper()).high) return false;
+        const ScaledInteger height = this->height();
+        return height.sign() <= 0 || compare_ratio(height, square(), radius() + ScaledInteger(max_distance)) <= 0;
+    }
+
+    Relation relation() {
+        find_lowest();
+        const int lowest = sign_of_distance(heights_);
+        if (lowest >= 0) return lowest > 0 ? Relation::apart : Relation::touching;
+        const bool is_solid = is_solid_ || has_radius();
+        if (is_solid && !has_radius() && !body_.has_inside()) return Relation::touching;
+        if (is_inside()) return Relation::inside;
+        return is_solid ? Relation::overlapping : Relation::crossing;
+    }
+
+    SignedDistance signed_distance() {
+        find_lowest();
+        const ScaledInteger height = this->height();
+        const ExactPoint point = exact_point(vertex(), body_.boundary().pose);
+        SignedDistance result;
+        result.distance = round_ratio(height, square(), -radius());
+        result.kind = ClosestKind::vertex_face;
+        result.a = feature();
+        result.b = plane_feature;
+        result.point_a = round_lowest(point, radius(), plane_);
+        result.point_b = round_foot(point, height, plane_);
+        result.direction = round_inward(plane_);
+        return result;
+    }
+
+    double distance() {
+        find_lowest();
+        if (heights_.bounds(vertex()).high <= 0) return 0;
+        const ScaledInteger height = this->height();
+        return height.sign() <= 0 ? 0 : from_zero(round_ratio(height, square(), -radius()));
+    }
+
+    ClosestPoints closest() {
+        find_lowest();
+        const ScaledInteger height = this->height();
+        const ExactPoint point = exact_point(vertex(), body_.boundary().pose);
+        if (height.sign() <= 0) {
+            const Vec3 rounded = round_point(point);
+            return {0, ClosestKind::contained, feature(), no_feature, rounded, rounded};
+        }
+        return {from_zero(round_ratio(height, square(), -radius())),
+                ClosestKind::vertex_face,
+                feature(),
+                plane_feature,
+                round_lowest(point, radius(), plane_),
+                round_foot(point, height, plane_)};
+    }
+
+    std::optional<FirstContact> cast(const Vec3& motion, double latest) {
+        const ScaledInteger rise = plane_.along(motion);
+        const bool meets_at_start = intersects();
+        if (!meets_at_start && rise.sign() >= 0) return std::nullopt;
+        find_lowest();
+        if (meets_at_start) return FirstContact{0, ClosestKind::contained, feature(), no_feature};
+        const Quotient time(height(), -rise);
+        if (exact::compare(time.ref(), latest) > 0) return std::nullopt;
+        return FirstContact{exact::round_fraction(time.ref()), ClosestKind::vertex_face, feature(), plane_feature};
+    }
+
+  private:
+    static double from_zero(double x) noexcept { return key_of(x) > 0 ? x : 0; }
+
+    bool has_radius() const noexcept { return key_of(radius_) != 0; }
+    ScaledInteger radius() const { return radius_; }
+    const ScaledInteger& square() const { return plane_.exact().square; }
+    const MeshShape& shape() const noexcept { return *body_.boundary().what; }
+
+    // The lowest vertex, which the next functions are about.
+    void find_lowest() { lowest_ = half_spaces::find_lowest(shape(), heights_, asking_.memory()); }
+    const Vec3& vertex() const noexcept { return shape().mesh().vertices()[lowest_.vertex]; }
+    ScaledInteger height() const { return heights_.exact(vertex()); }
+    Feature feature() const noexcept {
+        Feature feature = lowest_.feature();
+        body_.rename(feature);
+        return feature;
+    }
+
+    // Returns the sign of the distance of the lowest vertex, less the radius.
+    int sign_of_distance(const Heights& heights) const {
+        if (!has_radius()) return heights.sign(vertex());
+        const ScaledInteger height = heights.exact(vertex());
+        return height.sign() <= 0 ? -1 : compare_ratio(height, square(), radius());
+    }
+
+    // True if no point is above the plane: if the highest vertex is as deep as the radius, or deeper.
+    bool is_inside() {
+        const Heights depths(plane_, body_.boundary().pose, Heights::Side::below);
+        const Corner highest = half_spaces::find_lowest(shape(), depths, asking_.memory());
+        const ScaledInteger depth = depths.exact(shape().mesh().vertices()[highest.vertex]);
+        return depth.sign() >= 0 && compare_ratio(depth, square(), radius()) >= 0;
+    }
+
+    Asking asking_;
+    PosedBody body_;
+    bool is_solid_;  // the body as given; its boundary may be another mesh
+    double radius_;
+    Plane plane_;
+    Heights heights_;
+    Corner lowest_{};
+};
+
+}  // namespace
+}  // namespace half_spaces
+
+using half_spaces::Asked;
+
+bool intersects(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).intersects();
+}
+bool intersects(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).intersects();
+}
+
+Relation relation(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).relation();
+}
+Relation relation(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).relation();
+}
+
+SignedDistance signed_distance(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).signed_distance();
+}
+SignedDistance signed_distance(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).signed_distance();
+}
+
+double distance(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).distance();
+}
+double distance(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).distance();
+}
+
+namespace {
+
+bool is_within(const CoreAndRadius& body, const Posed<HalfSpace>& half_space, double max_distance, const Ask& ask) {
+    require_distance(max_distance);
+    Asked asked(body, half_space, ask);
+    return key_of(max_distance) == infinity_key || asked.is_within(max_distance);
+}
+
+}  // namespace
+
+bool within(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space, double max_distance, const Ask& ask) {
+    return is_within(body, half_space, max_distance, ask);
+}
+bool within(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space, double max_distance, const Ask& ask) {
+    return is_within(body, half_space, max_distance, ask);
+}
+
+ClosestPoints closest(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).closest();
+}
+ClosestPoints closest(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space, const Ask& ask) {
+    return Asked(body, half_space, ask).closest();
+}
+
+std::optional<FirstContact> cast(const Posed<MeshShape>& body, const Vec3& motion, const Posed<HalfSpace>& half_space,
+                                 double max_time, const Ask& ask) {
+    const double latest = require_time(max_time);
+    validate_motion(motion);
+    return Asked(body, half_space, ask).cast(motion, latest);
+}
+
+}  // namespace ecods

@@ -1,0 +1,82 @@
+// Answers questions about two half spaces. They share a point unless their normals are opposed.
+//
+// With N2 = -(b / a) N1 for a, b > 0, the sets N1 . x <= F1 and N2 . x <= F2 are N1 . x <= F1 and N1 . x >= -F2 a / b.
+// So they are apart if the gap -(F1 b + F2 a) is positive, and then by gap / (b |N1|).
+#include "base/limits.hpp"
+#include "ecods/half_space.hpp"
+#include "query/half_space/heights.hpp"
+#include "query/half_space/round.hpp"
+
+namespace ecods {
+namespace {
+
+using exact::ScaledInteger;
+using half_spaces::Plane;
+
+ScaledInteger size_of(const ScaledInteger& x) {
+    return x.sign() < 0 ? -x : x;
+}
+
+// Two half spaces of which the planes are parallel, or not.
+class TwoPlanes {
+  public:
+    TwoPlanes(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b) : first_(a, 0), second_(b, 1) {
+        const auto &N1 = first_.exact().N, &N2 = second_.exact().N;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t l = (k + 1) % 3;
+            if (compare(N1[k] * N2[l], N1[l] * N2[k]) != 0) return;
+        }
+        std::size_t axis = 0;
+        while (N1[axis].sign() == 0) ++axis;
+        direction_ = N1[axis].sign() * N2[axis].sign();
+        const ScaledInteger F1 = offset(first_, a.pose), F2 = offset(second_, b.pose);
+        const ScaledInteger size1 = size_of(N1[axis]), size2 = size_of(N2[axis]);
+        const ScaledInteger x = F1 * size2, y = F2 * size1;
+        gap_ = direction_ < 0 ? -(x + y) : y - x;
+        square_ = size2 * size2 * first_.exact().square;
+    }
+
+    bool are_opposed() const noexcept { return direction_ < 0; }
+    bool have_one_direction() const noexcept { return direction_ > 0; }
+
+    // The gap between opposed half spaces, negative if they overlap; or how far the second plane is beyond the first
+    // one, along one direction. It is a multiple of the distance, whose square is gap^2 / square.
+    const ScaledInteger& gap() const noexcept { return gap_; }
+    const ScaledInteger& square() const noexcept { return square_; }
+    bool are_apart() const noexcept { return are_opposed() && gap_.sign() > 0; }
+
+  private:
+    static ScaledInteger offset(const Plane& plane, const Pose& pose) { return plane.exact().E + plane.along(pose.t); }
+
+    Plane first_, second_;
+    int direction_ = 0;  // 1 or -1 if the planes are parallel: of the normals to each other
+    ScaledInteger gap_, square_;
+};
+
+}  // namespace
+
+bool intersects(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, const Ask& /*ask*/) {
+    return !TwoPlanes(a, b).are_apart();
+}
+
+Relation relation(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, const Ask& /*ask*/) {
+    const TwoPlanes planes(a, b);
+    const int gap = planes.gap().sign();
+    if (planes.are_opposed()) return gap > 0 ? Relation::apart : gap == 0 ? Relation::touching : Relation::overlapping;
+    if (!planes.have_one_direction()) return Relation::overlapping;
+    return gap > 0 ? Relation::inside : gap == 0 ? Relation::equal : Relation::contains;
+}
+
+double distance(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, const Ask& /*ask*/) {
+    const TwoPlanes planes(a, b);
+    return planes.are_apart() ? half_spaces::round_ratio(planes.gap(), planes.square()) : 0;
+}
+
+bool within(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, double max_distance, const Ask& /*ask*/) {
+    require_distance(max_distance);
+    const TwoPlanes planes(a, b);
+    return !planes.are_apart() || key_of(max_distance) == infinity_key ||
+           half_spaces::compare_ratio(planes.gap(), planes.square(), ScaledInteger(max_distance)) <= 0;
+}
+
+}  // namespace ecods

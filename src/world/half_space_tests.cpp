@@ -1,0 +1,76 @@
+#include "world/half_space_tests.hpp"
+
+#include "ecods/half_space.hpp"
+
+namespace ecods {
+namespace {
+
+template <class Thing>
+Posed<Thing> as(const Posed<Shape>& posed) {
+    return {static_cast<const Thing&>(*posed.what), posed.pose};
+}
+template <class Thing>
+Moving<Thing> as(const Moving<Shape>& moving) {
+    return {static_cast<const Thing&>(*moving.what), moving.from, moving.to};
+}
+
+// Answers what a mesh and a half space have in common with two half spaces.
+template <class First>
+class HalfSpaceTest : public TwoBodyTest {
+  public:
+    bool answers(Question question) const noexcept override {
+        return question == Question::relation || question == Question::distance || question == Question::within;
+    }
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return ecods::intersects(as<First>(a), as<HalfSpace>(b), ask);
+    }
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return ecods::relation(as<First>(a), as<HalfSpace>(b), ask);
+    }
+    double distance(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return ecods::distance(as<First>(a), as<HalfSpace>(b), ask);
+    }
+    bool within(const Posed<Shape>& a, const Posed<Shape>& b, double max_distance, const Ask& ask) const override {
+        return ecods::within(as<First>(a), as<HalfSpace>(b), max_distance, ask);
+    }
+};
+
+// Answers what a mesh has in common with rounded bodies.
+template <class First>
+class BodyHalfSpaceTest : public HalfSpaceTest<First> {
+  public:
+    bool answers(Question question) const noexcept override {
+        return HalfSpaceTest<First>::answers(question) || question == Question::closest;
+    }
+    ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return ecods::closest(as<First>(a), as<HalfSpace>(b), ask);
+    }
+};
+
+class MeshHalfSpaceTest final : public BodyHalfSpaceTest<MeshShape> {
+  public:
+    bool answers(Question question) const noexcept override {
+        return BodyHalfSpaceTest::answers(question) || question == Question::cast || question == Question::cast_moving;
+    }
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
+                                     const Ask& ask) const override {
+        return ecods::cast(as<MeshShape>(a), motion, as<HalfSpace>(b), max_time, ask);
+    }
+    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
+                                            const Ask& ask) const override {
+        return ecods::cast(as<MeshShape>(a), as<HalfSpace>(b), max_time, ask);
+    }
+};
+
+}  // namespace
+
+void add_half_space_tests(TwoBodyTests& tests) {
+    constexpr ShapeKind half_space = ShapeKind::half_space();
+    const auto of_rounded = std::make_shared<const BodyHalfSpaceTest<Rounded>>();
+    tests.set(ShapeKind::mesh(), half_space, std::make_shared<const MeshHalfSpaceTest>());
+    tests.set(ShapeKind::rounded(), half_space, of_rounded);
+    tests.set(ShapeKind::rounded_convex(), half_space, of_rounded);
+    tests.set(half_space, half_space, std::make_shared<const HalfSpaceTest<HalfSpace>>());
+}
+
+}  // namespace ecods

@@ -1,0 +1,71 @@
+#include "world/rounded_test.hpp"
+
+#include "ecods/rounded.hpp"
+#include "query/body/rounded_pair.hpp"
+
+namespace ecods {
+namespace {
+
+CoreAndRadius body_of(const Posed<Shape>& posed) {
+    if (posed.what->kind() == ShapeKind::mesh()) {
+        return Posed<MeshShape>(static_cast<const MeshShape&>(*posed.what), posed.pose);
+    }
+    return Posed<Rounded>(static_cast<const Rounded&>(*posed.what), posed.pose);
+}
+
+// Answers questions about two shapes, each a rounded one or a mesh, in the order in which they are given: so ties are
+// broken by ids, and not by kinds. If a core is not convex, it does not answer
+// `relation`, since a relation may then be undecided (rounded.hpp).
+class RoundedTest final : public TwoBodyTest {
+  public:
+    explicit RoundedTest(bool relates) : relates_(relates) {}
+
+    bool answers(Question question) const noexcept override {
+        switch (question) {
+            case Question::distance:
+            case Question::within:
+            case Question::closest:
+                return true;
+            case Question::relation:
+                return relates_;
+            default:
+                return false;
+        }
+    }
+
+    bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return pair_of(a, b).intersects(ask);
+    }
+    Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return pair_of(a, b).relation(ask);
+    }
+    double distance(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return pair_of(a, b).distance(ask);
+    }
+    bool within(const Posed<Shape>& a, const Posed<Shape>& b, double max_distance, const Ask& ask) const override {
+        return pair_of(a, b).within(max_distance, ask);
+    }
+    ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
+        return pair_of(a, b).closest(ask);
+    }
+
+  private:
+    static RoundedPair pair_of(const Posed<Shape>& a, const Posed<Shape>& b) { return {body_of(a), body_of(b)}; }
+
+    bool relates_;
+};
+
+}  // namespace
+
+void add_rounded_tests(TwoBodyTests& tests) {
+    constexpr ShapeKind mesh = ShapeKind::mesh(), any = ShapeKind::rounded(), convex = ShapeKind::rounded_convex();
+    const auto partial = std::make_shared<const RoundedTest>(false), full = std::make_shared<const RoundedTest>(true);
+    constexpr auto either_order = TwoBodyTests::Takes::either_order;
+    tests.set(mesh, any, partial, either_order);
+    tests.set(any, any, partial, either_order);
+    tests.set(convex, any, partial, either_order);
+    tests.set(mesh, convex, full, either_order);
+    tests.set(convex, convex, full, either_order);
+}
+
+}  // namespace ecods
