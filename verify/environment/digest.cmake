@@ -5,8 +5,8 @@
 function(ecods_exact_layer result)
   set(sources ${ARGN})
   list(FILTER sources INCLUDE REGEX
-       "^(base/error|geometry/(mesh|pose|scaled_line)|exact/.*|simd/.*|query/(intersection/(plane_signs|triangle_relations)|\
-distance/triangle_.*|hit/triangle_hits|cast/triangle_contacts))\\.cpp$")
+       "^(base/(error|number_text)|geometry/(mesh|pose|scaled_line)|exact/.*|simd/.*|\
+query/(intersection/(plane_signs|triangle_relations)|distance/triangle_.*|hit/triangle_hits|cast/triangle_contacts))\\.cpp$")
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 

@@ -116,7 +116,7 @@ const std::vector<Room>& rooms() {
         {"src/query/half_space",
          {"src/base", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign",
           "src/exact/measure/round", "src/bvh/tree", "src/bvh/walks", "src/query/shape", "src/query/intersection",
-          "src/query/body"}},
+          "src/query/solid", "src/query/body"}},
         {"src/query/certificate",
          {"src/base", "src/simd", "src/geometry", "src/exact/number", "src/exact/point", "src/exact/sign", "src/bounds",
           "src/bvh/tree", "src/bvh/masks", "src/bvh/walks", "src/query/shape", "src/query/intersection",
