@@ -9,10 +9,10 @@
 
 namespace ecods::fuzz {
 
-// Of a rounded shape that of its core; of any other that is no MeshShape: surface.
+// Returns the form of a mesh's shape, or of a rounded shape's core; `surface` for any other shape.
 MeshForm form_of(const Shape& shape) noexcept;
 
-// Of a shape that is not rounded: 0.
+// Returns 0 for a shape that is not rounded.
 double radius_of(const Shape& shape) noexcept;
 
 // Whether make_shape() would not throw. Cost: that of making it.

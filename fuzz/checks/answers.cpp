@@ -34,7 +34,7 @@ void require_bodies(const std::vector<BodyId>& got, const std::vector<BodyId>& e
     throw CheckFailed(check, text(expected), text(got));
 }
 
-// What the oracle says of rounded bodies. Relations of some are not decided.
+// Checks rounded bodies beside the oracle. Relations of some are not decided.
 void check_rounded(World& world, const TruePair& pair, Counters& counters) {
     const auto [a, b] = pair.ids;
     const oracle::RoundedDistance& truth = *pair.rounded;

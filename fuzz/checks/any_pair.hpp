@@ -11,7 +11,7 @@
 
 namespace ecods::fuzz {
 
-// Of bodies with shapes of the caller's own nobody asks. It refers to the bodies of the truth.
+// Nobody asks about bodies with shapes of the caller's own. It refers to the bodies of the truth.
 class AnyPair {
   public:
     AnyPair(const World& world, const Truth& truth);

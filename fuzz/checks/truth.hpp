@@ -61,7 +61,7 @@ struct TruePair {
     bool is_a_inside, is_b_inside;  // whether a part is inside the other body, if the boundaries share no point
     bool are_surfaces;              // both
     bool is_changed;                // one of the two is
-    // Of bodies with radii: `verdict` is of the rounded bodies, as far as they are apart, touch, or share inner points.
+    // If bodies have radii, `verdict` is of the rounded bodies, as far as they are apart, touch, or share inner points.
     std::optional<oracle::RoundedDistance> rounded = {};
 
     bool do_meet() const { return verdict.relation != Relation::apart || is_a_inside || is_b_inside; }

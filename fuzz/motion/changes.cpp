@@ -148,7 +148,7 @@ void other_form(Writing& w) {
     if (part.kind == ShapeKind::mesh() && has_form(part.mesh, part.form)) w.make(SetShape{body, part});
 }
 
-// The same core with another radius, with none, or as it is without.
+// Gives a body the same core with another radius, or without one.
 void other_radius(Writing& w) {
     const Label body = w.any_body();
     Part part = w.model.bodies.at(body).part;

@@ -128,7 +128,8 @@ class ECODS_API InvalidArgument final : public Error {
     ShapeKind kind = {};  // for a box: kind of the caller's shape that returned it; mesh() if it was an argument
 };
 
-// Thrown if the matrix of a pose is singular, but the question needs inner points of the posed solid.
+// Thrown if the matrix of a pose is singular, but the question needs inner points of the posed solid; and wherever a
+// half space is posed, also by the calls of a World that give it a pose.
 class ECODS_API SingularPose final : public Error {
   public:
     explicit SingularPose(int argument, BodyId body = {});

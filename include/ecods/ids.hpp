@@ -98,7 +98,7 @@ struct CollisionFilter {
 }
 
 // Write ids in the form of traces and messages: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh",
-// "rounded", "rounded convex", "kind 7".
+// "rounded", "rounded convex", "half space", "kind 7".
 ECODS_API std::ostream& operator<<(std::ostream& out, BodyId body);
 ECODS_API std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
 ECODS_API std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);

@@ -1,5 +1,5 @@
-// Shapes are what bodies are made of: triangle meshes, solids, convex solids, rounded shapes (rounded.hpp), and shapes
-// of the caller's own.
+// Shapes are what bodies are made of: triangle meshes, solids, convex solids, rounded shapes (rounded.hpp), half spaces
+// (half_space.hpp), and shapes of the caller's own.
 //
 // Example: verify/examples/how_do_i, make_a_mesh().
 #pragma once

@@ -14,7 +14,7 @@
 //     convex 4 4 4                              the same, a ConvexSolid
 //     half_space 5 0x0p+0 0x0p+0 0x1p+0 0x0p+0  number, normal, offset
 //     shape 2 7 any text                        number, kind, and what the caller's writer said
-//     rounded 5 4 0x1p-1                        number, number of the core, radius
+//     rounded 6 4 0x1p-1                        number, number of the core, radius
 //     create 1.0 1 R R R t R R R t R R R t      body, mesh or shape, pose: [R t] row by row, hexadecimal
 //     create_with 2.0 1 R ... t 1 f 2a          the same; then groups, mask and user data, hexadecimal
 //     destroy 1.0

@@ -28,6 +28,11 @@ constexpr double opposite(double x) noexcept {
     return double_of(-key_of(x));
 }
 
+// Returns x if it is positive, otherwise +0.
+constexpr double positive_part(double x) noexcept {
+    return key_of(x) > 0 ? x : 0;
+}
+
 // True if x >= 0; infinity and -0.0 included. False for NaN, whose key is beyond the keys of both infinities.
 constexpr bool is_from_zero(double x) noexcept {
     return key_of(x) >= 0 && key_of(x) <= key_of(std::numeric_limits<double>::infinity());

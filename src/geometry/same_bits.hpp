@@ -1,13 +1,20 @@
-// same_bits compares poses by their bits, not by their values: if the processor takes subnormal numbers for zero,
+// Poses and points are compared by their bits, not by their values: if the processor takes subnormal numbers for zero,
 // different values may compare equal.
 #pragma once
 
 #include <cstdint>
 
+#include "base/hash.hpp"
 #include "ecods/pose.hpp"
 #include "simd/vec.hpp"
 
 namespace ecods {
+
+// True if a and b are the same point; -0 and 0 are the same coordinate.
+inline bool same_point(const Vec3& a, const Vec3& b) noexcept {
+    return coordinate_bits(a[0]) == coordinate_bits(b[0]) && coordinate_bits(a[1]) == coordinate_bits(b[1]) &&
+           coordinate_bits(a[2]) == coordinate_bits(b[2]);
+}
 
 // True if all entries of a and b have the same bits.
 inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {

@@ -8,7 +8,7 @@
 // and P is the identity, up to rounding, if the axes are the tree's own.
 //
 // Let s0 and s1 be the ends of the part of the line that is within the root's box on the axis on which D is largest.
-// That part is computed in doubles: it is o + r e for 0 <= r <= 1, with s = s0 + r (s1 - s0) and e = (s1 - s0) D, and
+// The part is computed in doubles: it is o + r e for 0 <= r <= 1, with s = s0 + r (s1 - s0) and e = (s1 - s0) D, and
 // on that axis it is no longer than the box. All further computations are in floats, with the parameter r.
 //
 // Bound, in doubles, for each axis; u' = 2^-52 bounds one operation in any rounding mode. Let w = |N| (|a - t| + |R|

@@ -68,7 +68,7 @@ ExactSum ExactSum::operator-() const {
     return result;
 }
 
-auto ExactSum::scaled() const -> Scaled {
+ScaledInteger ExactSum::scaled() const {
     BitRange range;
     for (std::size_t i = 0; i < count_; ++i) range.include(decode(terms_[i]));
     if (range.empty()) return {};
@@ -89,12 +89,12 @@ auto ExactSum::scaled() const -> Scaled {
 }
 
 void ExactSum::find_bounds() {
-    const Scaled sum = scaled();
-    sign_ = sum.m.sign();
+    const ScaledInteger sum = scaled();
+    sign_ = sum.sign();
     lower_ = upper_ = 0;
     is_double_ = true;
     if (sign_ == 0) return;
-    const double below = round_down(sum.m.limbs(), sum.e, is_double_);
+    const double below = round_down(sum.m().limbs(), sum.e(), is_double_);
     const double above = is_double_ ? below : next_up(below);
     lower_ = sign_ > 0 ? below : -above;
     upper_ = sign_ > 0 ? above : -below;

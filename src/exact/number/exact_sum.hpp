@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/next.hpp"
-#include "exact/number/integer.hpp"
+#include "exact/number/scaled_integer.hpp"
 
 namespace ecods::exact {
 
@@ -29,12 +29,8 @@ class ExactSum {
     double upper() const noexcept { return upper_; }
     bool is_double() const noexcept { return is_double_; }  // then lower() and upper() are the sum
 
-    // The sum is m 2^e. The sum of four doubles is a multiple of 2^-1074 below 2^1026, so m has at most 2100 bits.
-    struct Scaled {
-        Integer m;
-        int e = 0;
-    };
-    Scaled scaled() const;
+    // Returns the sum. The sum of four doubles is a multiple of 2^-1074 below 2^1026, so it has at most 2100 bits.
+    ScaledInteger scaled() const;
 
   private:
     void find_bounds();

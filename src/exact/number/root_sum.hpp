@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "exact/number/integer.hpp"
+#include "exact/number/scaled_integer.hpp"
 
 namespace ecods::exact {
 
@@ -19,6 +20,10 @@ struct RootSum {
     // Returns -1, 0 or 1: the sign of the root as it is added.
     int root_sign() const noexcept { return y.is_zero() ? 0 : is_subtracted ? -1 : 1; }
 };
+
+// Returns whole / den + length / sqrt(square). den and square must be positive, and square 4^n times an integer.
+RootSum root_sum(const ScaledInteger& whole, const Integer& den, const ScaledInteger& length,
+                 const ScaledInteger& square);
 
 // Returns the sign of |x / z| 2^e - sqrt(y / w) 2^f.
 int compare_parts(const RootSum& sum);

@@ -11,9 +11,6 @@
 namespace ecods::python {
 namespace {
 
-using SharedHalfSpace = std::shared_ptr<HalfSpace>;
-using MovingHalfSpace = Moving<HalfSpace>;
-
 std::string half_space_text(const HalfSpace& self) {
     std::ostringstream text;
     text << "<ecods.HalfSpace of normal " << std::string(py::repr(py::cast(self.normal()).attr("tolist")()))
@@ -23,10 +20,11 @@ std::string half_space_text(const HalfSpace& self) {
 
 void add_half_space_class(py::module_& m) {
     py::class_<PosedHalfSpace> posed(m, "PosedHalfSpace", "A HalfSpace at a pose: HalfSpace.at().");
-    py::class_<HalfSpace, SharedHalfSpace> type(m, "HalfSpace",
-                                                "The points x with normal . x <= offset: a ground, a wall. The normal "
-                                                "points out of it, and may have any length "
-                                                "but 0. Immutable.");
+    py::class_<HalfSpace, std::shared_ptr<HalfSpace>> type(
+        m, "HalfSpace",
+        "The points x with normal . x <= offset: a ground, a wall. The normal "
+        "points out of it, and may have any length "
+        "but 0. Immutable.");
     type.def(py::init<const Vec3&, double>(), py::arg("normal"), py::arg("offset"),
              "Raises InvalidArgument if a number is NaN or infinite, or the normal is zero.");
     type.def_property_readonly("normal", &HalfSpace::normal, "(3,) float64, as given.");
@@ -35,32 +33,11 @@ void add_half_space_class(py::module_& m) {
     type.def(
         "box", &HalfSpace::box, py::arg("pose") = py::none(),
         "A box (2, 3) with infinite ends, but for a side on which the plane is across an axis. Raises SingularPose.");
-    type.def(
-        "at", [](SharedHalfSpace self, const Pose& pose) { return PosedHalfSpace(std::move(self), pose); },
-        py::arg("pose"), "The half space at a pose (4, 4) or (3, 4). Raises InvalidArgument.");
-    type.def("__repr__", &half_space_text);
     type.def(py::pickle([](const HalfSpace& self) { return py::make_tuple(self.normal(), self.offset()); },
                         [](const py::tuple& state) {
                             return std::make_shared<HalfSpace>(state[0].cast<Vec3>(), state[1].cast<double>());
                         }));
-    copies_are_itself(type);
-    posed.def_property_readonly(
-        "shape", [](const PosedHalfSpace& self) { return std::const_pointer_cast<HalfSpace>(self.kept); },
-        "The HalfSpace.");
-    posed.def_readonly("pose", &PosedHalfSpace::pose, "(4, 4) float64.");
-    posed.def("__repr__", [](const PosedHalfSpace& self) {
-        return "PosedHalfSpace(" + half_space_text(*self.what) + ", " + pose_text("pose", self.pose) + ")";
-    });
-    posed.def(py::pickle(
-        [](const PosedHalfSpace& self) {
-            return py::make_tuple(std::const_pointer_cast<HalfSpace>(self.kept), self.pose);
-        },
-        [](const py::tuple& state) {
-            return PosedHalfSpace(state[0].cast<SharedHalfSpace>(), state[1].cast<Pose>());
-        }));
-    posed.def(py::init([](SharedHalfSpace shape, const Pose& pose) { return PosedHalfSpace(std::move(shape), pose); }),
-              py::arg("shape"), py::arg("pose") = py::none(), "HalfSpace.at(pose). Raises InvalidArgument.");
-    py::implicitly_convertible<HalfSpace, PosedHalfSpace>();
+    add_posed(posed, type, "HalfSpace", &half_space_text);
 }
 
 // The questions that a body of any kind and a half space have in common.

@@ -48,15 +48,10 @@ void add_distances(py::module_& m, const py::arg& a, const py::arg& b, const py:
     m.def("signed_distance", asked<Vec3, PosedMesh>(ECODS_QUESTION(signed_distance)), py::arg("point"), py::arg("body"),
           "The distance of a point (3,) from the body's surface, rounded once: negative inside a Solid, 0 exactly on "
           "the surface. (The sign of trimesh is the other one.) Raises InvalidArgument.");
-    m.def(
-        "distance_bounds",
-        [](const PosedMesh& x, const PosedMesh& y, double relative, double absolute, double most, PairWitness* known) {
-            const DistanceTolerance tolerance{.relative = relative, .absolute = absolute, .max_distance = most};
-            return ask(known, [&](const Ask& how) { return distance_bounds(x, y, tolerance, how); });
-        },
-        a, b, py::arg("relative") = 0.0, py::arg("absolute") = 0.0, py::arg("max_distance") = infinity, witness,
-        "An interval with the distance in it: upper - lower <= max(absolute, relative * lower), or both are adjacent "
-        "doubles. Once lower is above max_distance, upper may be infinity. Raises InvalidArgument.");
+    m.def("distance_bounds", asked_for_distance_bounds<PosedMesh, PosedMesh>(), a, b, py::arg("relative") = 0.0,
+          py::arg("absolute") = 0.0, py::arg("max_distance") = infinity, witness,
+          "An interval with the distance in it: upper - lower <= max(absolute, relative * lower), or both are adjacent "
+          "doubles. Once lower is above max_distance, upper may be infinity. Raises InvalidArgument.");
     m.def(
         "signed_distance_bounds", asked_with_witness<PosedMesh, PosedMesh>(ECODS_QUESTION(signed_distance_bounds)), a,
         b, witness,

@@ -42,28 +42,12 @@ void add_class(py::module_& m) {
     type.def_property_readonly("radius", &Rounded::radius, "A length of the world.");
     type.def_property_readonly("digest", &Rounded::digest, "A hash of core and radius, the same on every machine.");
     type.def("box", &Rounded::box, py::arg("pose") = py::none(), "A box (2, 3) that contains the body at the pose.");
-    type.def(
-        "at", [](SharedRounded self, const Pose& pose) { return PosedRounded(std::move(self), pose); }, py::arg("pose"),
-        "The shape at a pose (4, 4) or (3, 4). Raises InvalidArgument.");
-    type.def("__repr__", &rounded_text);
     type.def(py::pickle([](const Rounded& self) { return py::make_tuple(to_python(self.core_ptr()), self.radius()); },
                         [](const py::tuple& state) {
                             return std::make_shared<Rounded>(state[0].cast<std::shared_ptr<MeshShape>>(),
                                                              state[1].cast<double>());
                         }));
-    copies_are_itself(type);
-    posed.def_property_readonly(
-        "shape", [](const PosedRounded& self) { return made(self.kept); }, "The Rounded.");
-    posed.def_readonly("pose", &PosedRounded::pose, "(4, 4) float64.");
-    posed.def("__repr__", [](const PosedRounded& self) {
-        return "PosedRounded(" + rounded_text(*self.what) + ", " + pose_text("pose", self.pose) + ")";
-    });
-    posed.def(py::pickle(
-        [](const PosedRounded& self) { return py::make_tuple(made(self.kept), self.pose); },
-        [](const py::tuple& state) { return PosedRounded(state[0].cast<SharedRounded>(), state[1].cast<Pose>()); }));
-    py::implicitly_convertible<Rounded, PosedRounded>();
-    posed.def(py::init([](SharedRounded shape, const Pose& pose) { return PosedRounded(std::move(shape), pose); }),
-              py::arg("shape"), py::arg("pose") = py::none(), "Rounded.at(pose). Raises InvalidArgument.");
+    add_posed(posed, type, "Rounded", &rounded_text);
 }
 
 template <class A, class B>
@@ -78,13 +62,8 @@ void add_questions(py::module_& m) {
     m.def("within", asked_with_witness<A, B, double>(ECODS_QUESTION(within)), a, b, max_distance, witness);
     m.def("closest", asked_with_witness<A, B>(ECODS_QUESTION(closest)), a, b, witness,
           "ClosestPoints on the rounded surfaces, and the features of the cores.");
-    m.def(
-        "distance_bounds",
-        [](const A& x, const B& y, double relative, double absolute, double most, PairWitness* known) {
-            const DistanceTolerance tolerance{.relative = relative, .absolute = absolute, .max_distance = most};
-            return ask(known, [&](const Ask& how) { return distance_bounds(x, y, tolerance, how); });
-        },
-        a, b, py::arg("relative") = 0.0, py::arg("absolute") = 0.0, py::arg("max_distance") = infinite, witness);
+    m.def("distance_bounds", asked_for_distance_bounds<A, B>(), a, b, py::arg("relative") = 0.0,
+          py::arg("absolute") = 0.0, py::arg("max_distance") = infinite, witness);
 }
 
 }  // namespace

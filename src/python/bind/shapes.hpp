@@ -6,10 +6,12 @@
 #include <utility>
 #include <variant>
 
+#include "ecods/distance.hpp"
 #include "ecods/half_space.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/shape.hpp"
+#include "python/bind/ask.hpp"
 #include "python/bind/casters.hpp"
 
 namespace ecods::python {
@@ -66,6 +68,41 @@ void copies_are_itself(Type& type) {
     type.def("__copy__", [](py::object self) { return self; });
     type.def(
         "__deepcopy__", [](py::object self, const py::dict&) { return self; }, py::arg("memo"));
+}
+
+// Returns a function that asks for bounds of the distance of two bodies, with the numbers of a DistanceTolerance.
+template <class A, class B>
+auto asked_for_distance_bounds() {
+    return [](const A& a, const B& b, double relative, double absolute, double most, PairWitness* known) {
+        const DistanceTolerance tolerance{.relative = relative, .absolute = absolute, .max_distance = most};
+        return ask(known, [&](const Ask& how) { return distance_bounds(a, b, tolerance, how); });
+    };
+}
+
+// Binds what shapes without triangles have in common with their posed class: `name` is the class, `text(shape)` writes
+// a shape.
+template <class Thing, class Text>
+void add_posed(py::class_<Posed<Thing>>& posed, py::class_<Thing, std::shared_ptr<Thing>>& type,
+               const std::string& name, Text text) {
+    using Shared = std::shared_ptr<Thing>;
+    using PosedThing = Posed<Thing>;
+    const auto shape_of = [](const PosedThing& self) { return std::const_pointer_cast<Thing>(self.kept); };
+    type.def(
+        "at", [](Shared self, const Pose& pose) { return PosedThing(std::move(self), pose); }, py::arg("pose"),
+        "The shape at a pose (4, 4) or (3, 4). Raises InvalidArgument.");
+    type.def("__repr__", text);
+    copies_are_itself(type);
+    posed.def_property_readonly("shape", shape_of, ("The " + name + ".").c_str());
+    posed.def_readonly("pose", &PosedThing::pose, "(4, 4) float64.");
+    posed.def("__repr__", [name, text](const PosedThing& self) {
+        return "Posed" + name + "(" + text(*self.what) + ", " + pose_text("pose", self.pose) + ")";
+    });
+    posed.def(
+        py::pickle([shape_of](const PosedThing& self) { return py::make_tuple(shape_of(self), self.pose); },
+                   [](const py::tuple& state) { return PosedThing(state[0].cast<Shared>(), state[1].cast<Pose>()); }));
+    posed.def(py::init([](Shared shape, const Pose& pose) { return PosedThing(std::move(shape), pose); }),
+              py::arg("shape"), py::arg("pose") = py::none(), (name + ".at(pose). Raises InvalidArgument.").c_str());
+    py::implicitly_convertible<Thing, PosedThing>();
 }
 
 }  // namespace ecods::python

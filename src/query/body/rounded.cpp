@@ -19,16 +19,12 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double double_max = std::numeric_limits<double>::max();
 
-double from_zero(double x) noexcept {
-    return key_of(x) > 0 ? x : 0;
-}
-
 // Returns the bounds of D - margin, or of 0 if that is more, from bounds of D.
 DistanceBounds reduced(const DistanceBounds& bounds, const exact::ExactSum& margin) {
     const auto is_infinite = [](double x) { return key_of(x) == infinity_key; };
     DistanceBounds result = bounds;
-    if (!is_infinite(bounds.lower)) result.lower = from_zero((-margin).plus(bounds.lower).lower());
-    if (!is_infinite(bounds.upper)) result.upper = from_zero((-margin).plus(bounds.upper).upper());
+    if (!is_infinite(bounds.lower)) result.lower = positive_part((-margin).plus(bounds.lower).lower());
+    if (!is_infinite(bounds.upper)) result.upper = positive_part((-margin).plus(bounds.upper).upper());
     return result;
 }
 

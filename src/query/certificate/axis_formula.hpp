@@ -36,7 +36,7 @@ struct AxisFormula {
 // doubles.
 template <class Vector>
 using Corners = std::array<Vector, 6>;
-using SixCorners = Corners<IntegerVector3>;
+using SixCorners = Corners<exact::LongVector>;
 
 inline Vec3 minus(const Vec3& a, const Vec3& b) {
     return a - b;

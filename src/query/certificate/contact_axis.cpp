@@ -15,7 +15,7 @@ namespace {
 
 // Rounds 2^-e v to doubles, with e such that the largest coordinate is at least 1/2 and below 1. The error is less than
 // 2^-51.
-Vec3 in_doubles(const IntegerVector3& v) {
+Vec3 in_doubles(const exact::LongVector& v) {
     int width = 0;
     for (const Integer& x : v) width = std::max(width, x.bit_width());
     Vec3 result;
@@ -45,7 +45,7 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
     // roughly from a to b.
     const Vec3 towards_b = bodies[1].origin - bodies[0].origin;
     if (is_down && (!is_up || in_doubles(n_).dot(towards_b) < 0)) {
-        n_ = minus(IntegerVector3{}, n_);
+        n_ = minus(exact::LongVector{}, n_);
         a.high = -a.low;
         b.low = -b.high;
     }

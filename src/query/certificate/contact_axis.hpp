@@ -53,7 +53,7 @@ class ContactAxis {
     bool is_vertex_inside(std::size_t body, std::uint32_t vertex);
 
     const ExactPoints& points_;
-    IntegerVector3 n_;  // normal of the planes; points from a to b
+    exact::LongVector n_;  // normal of the planes; points from a to b
     std::array<Half, 2> halves_;
 };
 

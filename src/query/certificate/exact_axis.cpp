@@ -24,7 +24,7 @@ constexpr std::array<AxisFormula, 32> formulas = [] {
     return result;
 }();
 
-bool is_apart(const IntegerVector3& n, const SixCorners& corners, ApartBy apart) {
+bool is_apart(const exact::LongVector& n, const SixCorners& corners, ApartBy apart) {
     const ExactReach a = reach_of(n, &corners[0]);
     if (apart == ApartBy::half_open) {
         const Integer from = dot(n, corners[3]), to = dot(n, corners[4]);
@@ -38,7 +38,7 @@ bool is_apart(const IntegerVector3& n, const SixCorners& corners, ApartBy apart)
 
 }  // namespace
 
-ExactReach reach_of(const IntegerVector3& n, const IntegerVector3* corners) {
+ExactReach reach_of(const exact::LongVector& n, const exact::LongVector* corners) {
     ExactReach reach{dot(n, corners[0]), {}};
     reach.high = reach.low;
     for (std::size_t c = 1; c < 3; ++c) {
@@ -50,7 +50,7 @@ ExactReach reach_of(const IntegerVector3& n, const IntegerVector3* corners) {
 }
 
 bool is_axis(const AxisFormula& formula, const SixCorners& corners, ApartBy apart) {
-    const IntegerVector3 n = vector_of(formula, corners);
+    const exact::LongVector n = vector_of(formula, corners);
     return !is_zero(n) && is_apart(n, corners, apart);
 }
 

@@ -12,7 +12,7 @@ namespace ecods {
 struct ExactReach {
     exact::Integer low, high;
 };
-ExactReach reach_of(const IntegerVector3& n, const IntegerVector3* corners);
+ExactReach reach_of(const exact::LongVector& n, const exact::LongVector* corners);
 
 // Says how an axis must separate two triangles. The claims touching and hit need weakly and half_open.
 enum class ApartBy : std::uint8_t {

@@ -27,8 +27,8 @@ ExactPoints::ExactPoints(const BodyRef& a, const ecods::Segment& segment, const 
     unit_ = digits.empty() ? 0 : digits.low;
 }
 
-IntegerVector3 ExactPoints::on_segment(const ecods::Segment& segment, const Parameter& s) const {
-    IntegerVector3 point;
+exact::LongVector ExactPoints::on_segment(const ecods::Segment& segment, const Parameter& s) const {
+    exact::LongVector point;
     for (int axis = 0; axis < 3; ++axis) {
         Integer& sum = point[static_cast<std::size_t>(axis)];
         const Dyadic from = decode(segment.a[axis]), to = decode(segment.b[axis]);

@@ -7,16 +7,14 @@
 
 #include "ecods/primitives.hpp"
 #include "exact/number/dyadic.hpp"
-#include "exact/number/integer.hpp"
+#include "exact/number/long_vector.hpp"
 #include "exact/point/pose_terms.hpp"
 #include "exact/point/posed_points.hpp"
 #include "exact/point/vectors.hpp"
 
 namespace ecods {
 
-using IntegerVector3 = std::array<exact::Integer, 3>;
-
-inline bool is_zero(const IntegerVector3& v) noexcept {
+inline bool is_zero(const exact::LongVector& v) noexcept {
     return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }
 
@@ -33,11 +31,11 @@ class ExactPoints {
     // Represents the vertices of a body, and the points of the segment whose parameters are multiples of 2^finest.e.
     ExactPoints(const exact::BodyRef& a, const Segment& segment, const Parameter& finest) noexcept;
 
-    IntegerVector3 vertex(std::size_t body, std::uint32_t index) const {
+    exact::LongVector vertex(std::size_t body, std::uint32_t index) const {
         return terms_[body].point_in<exact::Integer>(unit_, meshes_[body]->vertices()[index]);
     }
     // Returns from + s (to - from).
-    IntegerVector3 on_segment(const Segment& segment, const Parameter& s) const;
+    exact::LongVector on_segment(const Segment& segment, const Parameter& s) const;
 
   private:
     exact::BitRange bind(std::size_t body, const exact::BodyRef& of) noexcept;

@@ -65,7 +65,7 @@ class LineProof {
     Vec3 from_, to_;  // the segment's ends relative to the body's translation, rounded
     double parameter_;
     ExactPoints points_;
-    IntegerVector3 exact_from_, exact_to_;
+    exact::LongVector exact_from_, exact_to_;
     std::vector<Axis> axes_;
 };
 

@@ -15,8 +15,8 @@ struct SupportPoints {
     static constexpr std::size_t lanes = 4;
 
     // Coordinates of the mesh times 2^-exponent. The exponent is such that the largest one is at least 1/2 and below 1.
-    // Those below 2^-900 are replaced by zero. A group has four vertices: their x, then their y, then their z. The
-    // number of groups is even; copies of the last vertex fill them up.
+    // Coordinates below 2^-900 are replaced by zero. A group has four vertices: their x, then their y, then their z.
+    // The number of groups is even; copies of the last vertex fill them up.
     std::vector<double> groups;
     std::uint32_t vertex_count = 0;
     int exponent = 0;

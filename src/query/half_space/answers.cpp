@@ -4,9 +4,11 @@
 // the signed distance is that of the core less the radius.
 #include <optional>
 
+#include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "ecods/half_space.hpp"
 #include "exact/number/exact_sum.hpp"
+#include "exact/point/posed_point.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/body/posed_body.hpp"
 #include "query/body/rounded_pair.hpp"
@@ -47,7 +49,7 @@ class Asked {
         if (h.high <= plane_.times_length(limit.lower()).low) return true;
         if (h.low > plane_.times_length(limit.upper()).high) return false;
         const ScaledInteger height = this->height();
-        return height.sign() <= 0 || compare_ratio(height, square(), radius() + ScaledInteger(max_distance)) <= 0;
+        return height.sign() <= 0 || compare_ratio(height, square(), limit.scaled()) <= 0;
     }
 
     Relation relation() {
@@ -63,7 +65,7 @@ class Asked {
     SignedDistance signed_distance() {
         find_lowest();
         const ScaledInteger height = this->height();
-        const ExactPoint point = exact_point(vertex(), body_.boundary().pose);
+        const exact::ScaledLongVector point = exact::posed_point(body_.boundary().pose, vertex());
         SignedDistance result;
         result.distance = round_ratio(height, square(), -radius());
         result.kind = ClosestKind::vertex_face;
@@ -79,18 +81,18 @@ class Asked {
         find_lowest();
         if (heights_.bounds(vertex()).high <= 0) return 0;
         const ScaledInteger height = this->height();
-        return height.sign() <= 0 ? 0 : from_zero(round_ratio(height, square(), -radius()));
+        return height.sign() <= 0 ? 0 : positive_part(round_ratio(height, square(), -radius()));
     }
 
     ClosestPoints closest() {
         find_lowest();
         const ScaledInteger height = this->height();
-        const ExactPoint point = exact_point(vertex(), body_.boundary().pose);
+        const exact::ScaledLongVector point = exact::posed_point(body_.boundary().pose, vertex());
         if (height.sign() <= 0) {
             const Vec3 rounded = round_point(point);
             return {0, ClosestKind::contained, feature(), no_feature, rounded, rounded};
         }
-        return {from_zero(round_ratio(height, square(), -radius())),
+        return {positive_part(round_ratio(height, square(), -radius())),
                 ClosestKind::vertex_face,
                 feature(),
                 plane_feature,
@@ -100,18 +102,15 @@ class Asked {
 
     std::optional<FirstContact> cast(const Vec3& motion, double latest) {
         const ScaledInteger rise = plane_.along(motion);
-        const bool meets_at_start = intersects();
-        if (!meets_at_start && rise.sign() >= 0) return std::nullopt;
+        if (rise.sign() >= 0 && !intersects()) return std::nullopt;
         find_lowest();
-        if (meets_at_start) return FirstContact{0, ClosestKind::contained, feature(), no_feature};
+        if (heights_.sign(vertex()) <= 0) return FirstContact{0, ClosestKind::contained, feature(), no_feature};
         const Quotient time(height(), -rise);
         if (exact::compare(time.ref(), latest) > 0) return std::nullopt;
         return FirstContact{exact::round_fraction(time.ref()), ClosestKind::vertex_face, feature(), plane_feature};
     }
 
   private:
-    static double from_zero(double x) noexcept { return key_of(x) > 0 ? x : 0; }
-
     bool has_radius() const noexcept { return key_of(radius_) != 0; }
     ScaledInteger radius() const { return radius_; }
     const ScaledInteger& square() const { return plane_.exact().square; }

@@ -43,10 +43,8 @@ inline void keep_one_a_vertex(std::vector<Memory::Candidate>& candidates) {
 // Calls take(corner) for the corners in the parts of the tree that may have points at most limit() high, until it
 // returns true. limit() may fall meanwhile.
 template <class Limit, class Take>
-void walk_below(const MeshShape& shape, const Heights& heights, QueryMemory& memory, const Limit& limit,
-                const Take& take) {
-    const MeshBvh& tree = MeshShapeAccess::tree(shape).boxes;
-    const BoxHeights boxes(heights, tree);
+void walk_below(const BoxHeights& boxes, QueryMemory& memory, const Limit& limit, const Take& take) {
+    const MeshBvh& tree = boxes.tree();
     std::uint64_t& box_tests = QueryMemoryAccess::state(memory).counts.box_tests;
     ++box_tests;
     if (boxes.low(tree.root_center, tree.root_half) > limit()) return;

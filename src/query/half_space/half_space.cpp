@@ -10,6 +10,7 @@
 #include "base/next.hpp"
 #include "exact/measure/round/fraction.hpp"
 #include "geometry/find_invalid.hpp"
+#include "geometry/same_bits.hpp"
 #include "query/body/starts_inside.hpp"
 #include "query/half_space/heights.hpp"
 #include "query/half_space/lowest.hpp"
@@ -28,24 +29,10 @@ bool is_zero(double x) noexcept {
     return coordinate_bits(x) == 0;
 }
 
-bool is_zero(const Vec3& v) noexcept {
-    return is_zero(v[0]) && is_zero(v[1]) && is_zero(v[2]);
-}
-
-// Compares bits, since the processor may take subnormal numbers for zero.
-bool have_same_coordinates(const Vec3& a, const Vec3& b) noexcept {
-    const auto same = [&](int k) { return coordinate_bits(a[k]) == coordinate_bits(b[k]); };
-    return same(0) && same(1) && same(2);
-}
-
 // A segment or ray, as the points begin + s step.
 struct LineAsked {
     explicit LineAsked(const Segment& segment)
-        : begin(segment.a),
-          end(segment.b),
-          is_direction(false),
-          is_point(have_same_coordinates(segment.a, segment.b)),
-          last(1) {}
+        : begin(segment.a), end(segment.b), is_direction(false), is_point(same_point(segment.a, segment.b)), last(1) {}
     explicit LineAsked(const Ray& ray)
         : begin(ray.origin),
           end(ray.direction),
@@ -117,7 +104,7 @@ HalfSpace::HalfSpace(const Vec3& normal, double offset) : normal_(normal), offse
     for (int k = 0; k < 3; ++k) {
         if (!is_finite(normal[k])) throw invalid_normal(k, normal[k]);
     }
-    if (is_zero(normal)) throw no_normal();
+    if (same_point(normal, Vec3::Zero())) throw no_normal();
     if (!is_finite(offset)) throw invalid_offset(offset);
 }
 

@@ -137,7 +137,7 @@ int Heights::sign(const Vec3& v) const {
     return exact(v).sign();
 }
 
-BoxHeights::BoxHeights(const Heights& heights, const MeshBvh& tree) noexcept {
+BoxHeights::BoxHeights(const Heights& heights, const MeshBvh& tree) noexcept : tree_(tree) {
     const LocalFrame& frame = tree.frame;
     double size = dot(heights.M_size_, frame.center.cwiseAbs()) + heights.c_size_;
     q_ = dot(heights.M_, frame.center) + heights.c_;

@@ -105,10 +105,12 @@ class Heights {
     mutable std::optional<Exact> exact_;
 };
 
-// Bounds the heights of the boxes of a body's tree.
+// Bounds the heights of the boxes of a body's tree, which must outlive this object.
 class BoxHeights {
   public:
     BoxHeights(const Heights& heights, const MeshBvh& tree) noexcept;
+
+    const MeshBvh& tree() const noexcept { return tree_; }
 
     // Returns a lower bound of the heights of a box, which has its center and half size on each axis; -infinity or NaN
     // if there is none.
@@ -126,6 +128,7 @@ class BoxHeights {
         return (middle - reach) - margin_;
     }
 
+    const MeshBvh& tree_;
     std::array<double, 3> P_, P_size_;  // P_size_ is |P_|
     double q_, margin_, corner_margin_;
 };

@@ -14,9 +14,8 @@ namespace {
 using Candidate = Memory::Candidate;
 
 // Returns an upper bound of the least height: that of a corner in the leaf at the end of the lowest boxes.
-double dive(const MeshShape& shape, const Heights& heights) {
-    const MeshBvh& tree = MeshShapeAccess::tree(shape).boxes;
-    const BoxHeights boxes(heights, tree);
+double dive(const MeshShape& shape, const Heights& heights, const BoxHeights& boxes) {
+    const MeshBvh& tree = boxes.tree();
     TreeRef at = tree.root;
     while (!at.is_leaf()) {
         const BvhNode& node = tree.nodes[at.index()];
@@ -62,9 +61,10 @@ Corner decide(const MeshShape& shape, const Heights& heights, std::vector<Candid
 Corner find_lowest(const MeshShape& shape, const Heights& heights, QueryMemory& memory) {
     std::vector<Candidate>& candidates = Memory::of(memory).candidates;
     candidates.clear();
-    double limit = dive(shape, heights);
+    const BoxHeights boxes(heights, MeshShapeAccess::tree(shape).boxes);
+    double limit = dive(shape, heights, boxes);
     walk_below(
-        shape, heights, memory, [&] { return limit; },
+        boxes, memory, [&] { return limit; },
         [&](const Corner& corner) {
             const HeightBounds h = heights.bounds(shape.mesh().vertices()[corner.vertex]);
             if (h.low > limit) return false;
@@ -81,7 +81,7 @@ bool reaches_plane(const MeshShape& shape, const Heights& heights, QueryMemory& 
     unsure.clear();
     bool reaches = false;
     walk_below(
-        shape, heights, memory, [] { return 0.0; },
+        BoxHeights(heights, MeshShapeAccess::tree(shape).boxes), memory, [] { return 0.0; },
         [&](const Corner& corner) {
             const HeightBounds h = heights.bounds(shape.mesh().vertices()[corner.vertex]);
             reaches = h.high <= 0;

@@ -53,7 +53,7 @@ class MovingHeights {
         candidates.clear();
         double latest = std::numeric_limits<double>::infinity();
         walk_below(
-            shape_, end_, memory, [] { return 0.0; },
+            BoxHeights(end_, MeshShapeAccess::tree(shape_).boxes), memory, [] { return 0.0; },
             [&](const Corner& corner) {
                 const Vec3& v = shape_.mesh().vertices()[corner.vertex];
                 const HeightBounds h1 = end_.bounds(v);

@@ -1,16 +1,12 @@
 // Numbers of half spaces, rounded once: distances from a plane, feet of perpendiculars, and quotients.
 #pragma once
 
-#include <array>
-
 #include "ecods/pose.hpp"
 #include "exact/measure/round/fraction.hpp"
 #include "exact/number/long_vector.hpp"
 #include "query/half_space/heights.hpp"
 
 namespace ecods::half_spaces {
-
-using ExactPoint = exact::ScaledLongVector;
 
 // Returns length / sqrt(square) + more, rounded once; at least 2^-1074 in magnitude unless it is 0.
 // square must be positive, and a sum of squares, so that its exponent is even. Widths: heights are polynomials of
@@ -26,14 +22,11 @@ int compare_ratio(const exact::ScaledInteger& length, const exact::ScaledInteger
 // Returns num / den, rounded once; a zero is +0. den must not be 0, and have at most divisor_limbs limbs.
 double round_quotient(const exact::ScaledInteger& num, const exact::ScaledInteger& den);
 
-// Returns R v + t of a pose, exactly.
-ExactPoint exact_point(const Vec3& v, const Pose& pose);
-
 // These return a point: the given one, the foot of its perpendicular on the plane, and the lowest point of a ball
 // around it. Each coordinate is rounded once. `height` is the point's.
-Vec3 round_point(const ExactPoint& point);
-Vec3 round_foot(const ExactPoint& point, const exact::ScaledInteger& height, const Plane& plane);
-Vec3 round_lowest(const ExactPoint& center, const exact::ScaledInteger& radius, const Plane& plane);
+Vec3 round_point(const exact::ScaledLongVector& point);
+Vec3 round_foot(const exact::ScaledLongVector& point, const exact::ScaledInteger& height, const Plane& plane);
+Vec3 round_lowest(const exact::ScaledLongVector& center, const exact::ScaledInteger& radius, const Plane& plane);
 
 // Returns -N / |N|, with each coordinate rounded once.
 Vec3 round_inward(const Plane& plane);

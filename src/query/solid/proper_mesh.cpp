@@ -14,16 +14,12 @@
 #include "exact/sign/filtered_signs.hpp"
 #include "exact/sign/plain_signs.hpp"
 #include "exact/sign/vertex_signs.hpp"
+#include "geometry/same_bits.hpp"
 
 namespace ecods {
 namespace {
 
 constexpr std::uint32_t no_vertex = ~std::uint32_t{0};
-
-bool are_equal(const Vec3& a, const Vec3& b) noexcept {
-    return coordinate_bits(a[0]) == coordinate_bits(b[0]) && coordinate_bits(a[1]) == coordinate_bits(b[1]) &&
-           coordinate_bits(a[2]) == coordinate_bits(b[2]);
-}
 
 std::size_t hash_of(const Vec3& v) noexcept {
     return combine(combine(coordinate_bits(v[0]), coordinate_bits(v[1])), coordinate_bits(v[2]));
@@ -54,7 +50,7 @@ std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const auto index = static_cast<std::uint32_t>(i);
         std::size_t at = hash_of(vertices[i]) & (size - 1);
-        while (table[at] != no_vertex && !are_equal(vertices[table[at]], vertices[i])) at = (at + 1) & (size - 1);
+        while (table[at] != no_vertex && !same_point(vertices[table[at]], vertices[i])) at = (at + 1) & (size - 1);
         if (table[at] == no_vertex) {
             table[at] = index;
             if (!least.empty()) least[i] = index;

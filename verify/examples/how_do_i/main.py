@@ -1,4 +1,4 @@
-"""How do I ...? Shapes that are made of a mesh and a number, a function of a few lines each."""
+"""How do I ...? Capsules, clouds, terrain and other bodies, a function of a few lines each."""
 import itertools
 import math
 
@@ -13,17 +13,14 @@ def box(least, greatest):
 
 
 def sphere_or_capsule():
-    """A segment is a triangle with a corner twice, a point one with a corner three times; the radius comes off the distance."""
-    segment = ecods.Mesh([(0, 0, 0), (0, 0, 2)], [(0, 1, 1)])
-    radius, wall = 0.5, box((2, -1, 0), (3, 1, 2))
-    touches = ecods.within(segment, wall, radius)  # exact: the distance itself is compared
-    print(f"capsule: {ecods.distance(segment, wall) - radius} from the wall, touches: {touches}")
+    """A capsule is all points within a radius of a segment; ecods.sphere() and ecods.rounded() make other such bodies."""
+    capsule, wall = ecods.capsule((0, 0, 0), (0, 0, 2), 0.5), box((2, -1, 0), (3, 1, 2))
+    print(f"capsule: {ecods.distance(capsule, wall)} from the wall, touches: {ecods.intersects(capsule, wall)}")
 
 
 def point_cloud():
     """A cloud is a mesh of one triangle {i, i, i} for each point; its tree makes questions fast."""
-    points = [(x, y, 5) for x in range(20) for y in range(20)]
-    cloud = ecods.Mesh(points, [(i, i, i) for i in range(len(points))])
+    cloud = ecods.point_cloud([(x, y, 5) for x in range(20) for y in range(20)])
     nearest = ecods.closest(cloud, box((3, 4, 0), (6, 8, 3)))
     print(f"point cloud: {nearest.distance} from the box, at {tuple(nearest.point_a.tolist())}")
 
@@ -32,11 +29,7 @@ def signed_distance():
     """A distance from the surface of a solid is negative for points inside."""
     cube = box((0, 0, 0), (2, 2, 2))
     points = np.array([(1, 1, 1.75), (1, 1, 2), (1, 1, 5)])
-    point = ecods.Mesh([(0, 0, 0)], [(0, 0, 0)])
-    poses = np.array([ecods.pose(t=p) for p in points])
-    distances = ecods.distance_many(point, poses, ecods.surface_of(cube))
-    is_inside = ecods.locate_many(points, cube) == int(ecods.Side.inside)
-    print("signed distances:", np.where(is_inside, -distances, distances).tolist())
+    print("signed distances:", ecods.signed_distance_many(points, cube).tolist())
 
 
 def compound():
@@ -65,19 +58,17 @@ def link_of_urdf():
 
 
 def ground():
-    """The ground is a large solid box: what is below its face is inside it, and collides."""
-    floor = box((-1000, -1000, -10), (1000, 1000, 0))
+    """The ground is a half space: what is below its plane is inside it, and collides."""
+    floor = ecods.HalfSpace((0, 0, 1), 0)
     crate = box((0, 0, 0), (1, 1, 1))
-    depths = [ecods.depth(crate.at(ecods.pose(t=(0, 0, z))), floor) for z in (0.5, 0, -0.25)]
-    print("ground:", [out and out.depth for out in depths])
+    signed = [ecods.signed_distance(crate.at(ecods.pose(t=(0, 0, z))), floor) for z in (0.5, 0, -0.25)]
+    print("ground:", [each.distance for each in signed])
 
 
 def terrain():
     """A field of heights is a mesh of two triangles a cell; a ray down finds the ground."""
-    n, height = 30, lambda x, y: x * y / 64
-    vertices = [(x, y, height(x, y)) for x in range(n) for y in range(n)]
-    cells = [x * n + y for x in range(n - 1) for y in range(n - 1)]
-    land = ecods.Mesh(vertices, [each for c in cells for each in ((c, c + n, c + 1), (c + 1, c + n, c + n + 1))])
+    steps = np.arange(30)
+    land = ecods.height_field(np.outer(steps, steps) / 64, (1, 1))
     hit = ecods.first_hit(ecods.Ray((8, 12, 100), (0, 0, -1)), land)
     print("terrain: the ground is at", hit.point[2])
 

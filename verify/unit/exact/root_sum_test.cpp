@@ -144,8 +144,8 @@ TEST(ExactSum, BoundsAreTheNearestDoubles) {
             sum = sum.plus(x);
         }
         EXPECT_EQ(sum.sign(), sgn(truth));
-        const auto [m, e] = sum.scaled();
-        EXPECT_EQ(times_power(to_mpz(m), e), truth);
+        const ScaledInteger scaled = sum.scaled();
+        EXPECT_EQ(times_power(to_mpz(scaled.m()), scaled.e()), truth);
         constexpr double infinity = std::numeric_limits<double>::infinity();
         EXPECT_TRUE(sum.lower() == -infinity || mpq_class(sum.lower()) <= truth);
         EXPECT_TRUE(sum.upper() == infinity || mpq_class(sum.upper()) >= truth);

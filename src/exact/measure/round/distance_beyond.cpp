@@ -10,18 +10,18 @@ int compare(const SquaredDistance& square, const ExactSum& sum) {
     if (sum.is_double()) return compare(square, sum.lower());
     if (compare(square, sum.lower()) <= 0) return -1;
     if (magnitude_of(sum.upper()) != double_infinity_magnitude && compare(square, sum.upper()) >= 0) return 1;
-    const auto [m, e] = sum.scaled();
-    return compare_shifted(square.num.limbs(), 2 * (square.exponent - e),
-                           (m * m * Integer(square.den.limbs(), false)).limbs());
+    const ScaledInteger scaled = sum.scaled();
+    return compare_shifted(square.num.limbs(), 2 * (square.exponent - scaled.e()),
+                           (scaled.m() * scaled.m() * Integer(square.den.limbs(), false)).limbs());
 }
 
 double round_beyond(const SquaredDistance& square, const ExactSum& margin) {
     if (margin.sign() == 0) return round_root(square);
     if (compare(square, margin.lower()) <= 0) return 0;
-    auto [m, e] = margin.scaled();
+    const ScaledInteger scaled = margin.scaled();
     RootSum difference;
-    difference.x = -std::move(m);
-    difference.e = e;
+    difference.x = -scaled.m();
+    difference.e = scaled.e();
     difference.y = Integer(square.num.limbs(), false);
     difference.w = Integer(square.den.limbs(), false);
     difference.f = square.exponent;

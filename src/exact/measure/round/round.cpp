@@ -152,10 +152,6 @@ std::uint64_t root_bits(NaturalSpan num, NaturalSpan den, int exponent) noexcept
     return nearest({root, exponent - shift / 2, is_exact});
 }
 
-double with_sign(std::uint64_t bits, bool negative) noexcept {
-    return std::bit_cast<double>(negative && bits != 0 ? bits | std::uint64_t{1} << 63 : bits);
-}
-
 }  // namespace
 
 double round_root(NaturalSpan num, NaturalSpan den, int exponent) noexcept {

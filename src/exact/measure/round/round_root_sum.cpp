@@ -21,6 +21,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/double_key.hpp"
 #include "exact/measure/round/fixed_digits.hpp"
 #include "exact/number/dyadic.hpp"
 
@@ -122,14 +123,11 @@ double round_sized(const RootSum& sum, const Sized& sized) {
     if (sign == 0) return 0;
     const int up = 128 - bit_width(size.digits);
     const FixedDigits digits{size.digits << up, size.exponent - up, error_of_digits};
-    const auto signed_bits = [&, is_negative = sign < 0](std::uint64_t bits) {
-        return std::bit_cast<double>(is_negative && bits != 0 ? bits | std::uint64_t{1} << 63 : bits);
-    };
-    if (const auto rounded = digits.rounded()) return signed_bits(std::bit_cast<std::uint64_t>(*rounded));
+    if (const auto rounded = digits.rounded()) return with_sign(std::bit_cast<std::uint64_t>(*rounded), sign < 0);
     const auto low =
         std::bit_cast<std::uint64_t>(round_digits({digits.digits - digits.error - 1, digits.exponent, false}));
     const int above = compare_size(sum, sign, middle_above(low));
-    return signed_bits(low + (above > 0 || (above == 0 && (low & 1) != 0) ? 1 : 0));
+    return with_sign(low + (above > 0 || (above == 0 && (low & 1) != 0) ? 1 : 0), sign < 0);
 }
 
 }  // namespace
@@ -138,9 +136,14 @@ double round_root_sum(const RootSum& sum) {
     return round_sized(sum, size_of(sum));
 }
 
-double round_positive_part(const RootSum& sum) {
+double round_signed(const RootSum& sum) {
     const Sized sized = size_of(sum);
-    return sized.sign > 0 ? at_least_subnormal(round_sized(sum, sized)) : 0;
+    const auto bits = std::bit_cast<std::uint64_t>(round_sized(sum, sized));
+    return bits == 0 && sized.sign != 0 ? with_sign(1, sized.sign < 0) : std::bit_cast<double>(bits);
+}
+
+double round_positive_part(const RootSum& sum) {
+    return positive_part(round_signed(sum));
 }
 
 }  // namespace ecods::exact

@@ -1,6 +1,9 @@
 // A SquaredDistance is the exact square of a distance, as a fraction of integers. It can be rounded and compared.
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "exact/number/natural.hpp"
 #include "exact/point/integer_points.hpp"
 
@@ -18,6 +21,11 @@ struct SquaredDistance {
     Natural<denominator_limbs> den{1};
     int exponent = 0;
 };
+
+// Returns the double with these bits, or its negative; a zero is +0. The sign of `bits` must not be set.
+inline double with_sign(std::uint64_t bits, bool negative) noexcept {
+    return std::bit_cast<double>(negative && bits != 0 ? bits | std::uint64_t{1} << 63 : bits);
+}
 
 // Returns the double nearest to the distance (the root), ties to even: at least 2^-1074 if the distance is positive,
 // and infinity if it is above the largest double. The floating-point environment has no effect.
