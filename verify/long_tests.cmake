@@ -64,6 +64,7 @@ ecods_long("eleven programs to build, whose corpora ask the library what other t
            instruction_sets.unknown.fuzz_triangles output.fuzz_predicates.*)
 ecods_long("each allocation of each call fails in turn; verify/run has that for one broad phase"
            allocation_tests.QueryOutOfMemory.EveryQuestion* allocation_tests.BroadPhases/WorldOutOfMemory.*/1
+           allocation_tests.BroadPhases/WorldOutOfMemory.EveryCallAtOtherStagesThenChangesNothing/0
            allocation_tests.BroadPhases/WorldOutOfMemory.*/2 allocation_tests.BroadPhases/WorldOutOfMemory.*/3
            allocation_tests.BroadPhases/UpdateOutOfMemory.*/3 allocation_tests.BroadPhases/UpdateOutOfMemory.*/4
            allocation_tests.BroadPhases/UpdateOutOfMemory.*/5

@@ -1,4 +1,7 @@
 // ECoDS without a world: the questions of solid.hpp about two posed convex solids.
+#include <cmath>
+
+#include "ecods/contact.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "engines/convex_engine.hpp"
@@ -44,6 +47,12 @@ ConvexAnswer ask_depth(const ConvexBody& a, const ConvexBody& b, const Ask& ask)
     return to_answer(depth(a, b, ask).value());
 }
 
+ConvexAnswer ask_patch(const ConvexBody& a, const ConvexBody& b, const Ask& ask) {
+    const ContactPatch patch = contact_patch(a, b, {}, ask);
+    const Vec3& n = patch.normal;
+    return {std::abs(patch.distance), {n.x(), n.y(), n.z()}};
+}
+
 }  // namespace
 
 std::vector<ConvexMaker> ecods_convex(ConvexQuestion question) {
@@ -58,6 +67,10 @@ std::vector<ConvexMaker> ecods_convex(ConvexQuestion question) {
          .use = "the same, with a PairWitness for each pair, left by the pass before",
          .is_ecods = true,
          .set_up = makes<ConvexEcods>(is_depth ? ask_depth : ask_solid_distance, true)}};
+    makers.push_back({.name = "ECoDS convex patch",
+                      .use = "contact_patch(): all corners with points of both bodies, middle and gap, rounded once",
+                      .is_ecods = true,
+                      .set_up = makes<ConvexEcods>(ask_patch)});
     if (!is_depth) {
         makers.push_back({.name = "ECoDS convex closest",
                           .use = "closest(); distance and points rounded once, features by the rule",

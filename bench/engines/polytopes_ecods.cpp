@@ -1,4 +1,4 @@
-// ecods::World of convex solids: World::solid_distances.
+// ecods::World of convex solids: World::signed_distances.
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "engines/polytopes_engine.hpp"
@@ -20,19 +20,19 @@ class PolytopesEcods final : public PolytopesEngine {
     void run_frame(std::span<const Pose> poses) override {
         bodies_.world.set_poses(bodies_.ids(), poses);
         if (has_update_) bodies_.world.update();
-        found_ = bodies_.world.solid_distances(limit_);
+        found_ = bodies_.world.signed_distances(limit_);
     }
 
     std::vector<NearPair> pairs() const override {
         std::vector<NearPair> pairs;
         for (const auto& [bodies, distance] : found_)
-            pairs.push_back({{bodies_.index_of(bodies.a), bodies_.index_of(bodies.b)}, distance});
+            pairs.push_back({{bodies_.index_of(bodies.a), bodies_.index_of(bodies.b)}, std::max(0.0, distance)});
         return pairs;
     }
 
   private:
     WorldBodies bodies_;
-    std::vector<SolidDistance> found_;
+    std::vector<PairDistance> found_;
     double limit_;
     bool has_update_;
 };
@@ -41,7 +41,7 @@ class PolytopesEcods final : public PolytopesEngine {
 
 std::vector<PolytopesMaker> ecods_polytopes() {
     return {{.name = "ECoDS world of convex",
-             .use = "set_poses() and solid_distances(); rounded once",
+             .use = "set_poses() and signed_distances(), the depth of those that meet included; rounded once",
              .is_ecods = true,
              .set_up = makes<PolytopesEcods>(false)},
             {.name = "ECoDS world of convex, update",

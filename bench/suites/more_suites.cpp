@@ -20,6 +20,7 @@ std::vector<Suite> all_suites() {
             {"convex", run_convex,
              names_of(convex_engines(scenes::ConvexQuestion::distance), convex_engines(scenes::ConvexQuestion::depth),
                       polytopes_engines())},
+            {"arm", run_arm},
             {"broad", run_broad, names_of(broad_engines())},
             {"system", run_system, names_of(system_engines())},
             {"rooms", run_rooms},

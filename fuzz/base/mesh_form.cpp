@@ -16,6 +16,13 @@ double radius_of(const Shape& shape) noexcept {
     return rounded != nullptr ? rounded->radius() : 0;
 }
 
+int dimension_of(const Shape& shape) noexcept {
+    const auto* const rounded = dynamic_cast<const Rounded*>(&shape);
+    const Shape* const core = rounded != nullptr ? &rounded->core() : &shape;
+    const auto* const convex = dynamic_cast<const ConvexSolid*>(core);
+    return convex != nullptr ? convex->dimension() : 3;
+}
+
 bool has_form(const std::shared_ptr<const Mesh>& mesh, MeshForm form) {
     try {
         make_shape(mesh, form);

@@ -53,6 +53,11 @@ void check_rounded(World& world, const TruePair& pair, Counters& counters) {
     require(points.distance == distance, "rounded: distance of closest points");
     if (points.kind < ClosestKind::intersecting) {
         require(points.point_a == truth.point(0) && points.point_b == truth.point(1), "rounded: closest points");
+        const SignedDistance found = world.signed_distance(a, b), turned = world.signed_distance(b, a);
+        require(found.distance == truth.signed_distance() && turned.distance == found.distance,
+                "rounded: signed distance");
+        require(found.point_a == points.point_a && found.point_b == points.point_b && turned.point_a == found.point_b,
+                "rounded: points of the signed distance");
     }
     try {
         const Relation got = world.relation(a, b), turned = world.relation(b, a);

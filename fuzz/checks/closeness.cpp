@@ -1,13 +1,18 @@
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "ecods/rounded.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/checks.hpp"
 #include "fuzz/checks/text.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/solid.hpp"
+#include "oracle/solid_points.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 
@@ -106,6 +111,77 @@ void require_same(const char* what, const std::optional<Item>& got, const std::o
     throw CheckFailed(what, text_of(expected), text_of(got));
 }
 
+// What ClosestPair says about signs: which distances of a body have one.
+struct Signs {
+    bool is_half_space, is_rounded = false, is_convex = false, is_triangle = false;
+
+    Signs(const World& world, BodyId id) : is_half_space(world.shape(id)->kind() == ShapeKind::half_space()) {
+        const std::shared_ptr<const Shape> shape = world.shape(id);
+        const auto* const rounded = dynamic_cast<const Rounded*>(shape.get());
+        const auto* const core = rounded != nullptr ? &rounded->core() : dynamic_cast<const MeshShape*>(shape.get());
+        is_rounded = rounded != nullptr;
+        if (core == nullptr) return;
+        const bool is_regular = !oracle::is_singular(world.pose(id));
+        is_convex = is_regular && core->form() == MeshForm::convex;
+        is_triangle = is_regular && core->form() != MeshForm::convex && core->mesh().triangles().size() == 1;
+    }
+};
+
+bool is_signed(const Signs& a, const Signs& b) {
+    if (a.is_half_space || b.is_half_space) return !a.is_half_space || !b.is_half_space;
+    if (!a.is_rounded && !b.is_rounded) return a.is_convex && b.is_convex;
+    return (a.is_convex || a.is_triangle) && (b.is_convex || b.is_triangle);
+}
+
+// The distance that ClosestPair promises, from the questions about the pair.
+double signed_distance_of(const World& world, BodyId a, BodyId b, QueryMemory& memory) {
+    if (is_signed({world, a}, {world, b})) return world.signed_distance(a, b, memory).distance;
+    return world.distance(a, b, memory);
+}
+
+// All pairs, and those of two groups that overlap: of bodies in odd or even slots, or divided by three.
+void check_closest_pairs(const World& world, const std::vector<BodyId>& bodies, QueryMemory& memory) {
+    std::vector<std::pair<double, BodyPair>> all;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+            if (!may_meet(world, bodies[i], bodies[j])) continue;
+            all.emplace_back(signed_distance_of(world, bodies[i], bodies[j], memory), BodyPair{bodies[i], bodies[j]});
+        }
+    }
+    std::ranges::sort(all, {}, [](const auto& pair) { return pair; });
+    std::vector<ClosestPair> expected;
+    for (const auto& [distance, pair] : all) expected.push_back({pair, distance});
+    const auto text_of = [](const std::vector<ClosestPair>& pairs) {
+        std::string text;
+        for (const ClosestPair& pair : pairs) {
+            text += fmt::format("{} {}: {:a}  ", pair.bodies.a.slot, pair.bodies.b.slot, pair.distance);
+        }
+        return text;
+    };
+    const auto compare = [&](const char* what, const std::vector<ClosestPair>& got,
+                             const std::vector<ClosestPair>& should_be) {
+        if (text_of(got) != text_of(should_be)) throw CheckFailed(what, text_of(should_be), text_of(got));
+    };
+    const std::vector<ClosestPair> got = world.closest_pairs(World::no_limit, memory);
+    compare("closest pairs", got, expected);
+    std::vector<ClosestPair> of_groups = got;
+    constexpr std::uint64_t odd = 5, even = 6;
+    std::erase_if(of_groups, [&](const ClosestPair& pair) {
+        const std::uint64_t x = world.filter(pair.bodies.a).groups, y = world.filter(pair.bodies.b).groups;
+        return !((x & odd) != 0 && (y & even) != 0) && !((x & even) != 0 && (y & odd) != 0);
+    });
+    compare("closest pairs of groups", world.closest_pairs(World::no_limit, odd, even, memory), of_groups);
+    const auto compare_first = [&](const char* what, const std::optional<ClosestPair>& first,
+                                   const std::vector<ClosestPair>& pairs) {
+        if (first.has_value() != !pairs.empty() || (first && *first != pairs.front())) {
+            compare(what, first ? std::vector{*first} : std::vector<ClosestPair>(), pairs);
+            throw CheckFailed(what, "the points of closest_pairs()", "others");
+        }
+    };
+    compare_first("closest pair", world.closest_pair(World::no_limit, memory), got);
+    compare_first("closest pair of groups", world.closest_pair(World::no_limit, even, odd, memory), of_groups);
+}
+
 }  // namespace
 
 void check_nearest(World& world, BodyId body, Counters& counters) {
@@ -131,14 +207,7 @@ void check_nearest(World& world, BodyId body, Counters& counters) {
     }
     ++counters["checked: nearest bodies"];
     if (bodies.size() > few) return;
-    std::optional<ClosestPair> closest;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-            if (!may_meet(world, bodies[i], bodies[j])) continue;
-            take_least(closest, ClosestPair{{bodies[i], bodies[j]}, world.distance(bodies[i], bodies[j], memory)});
-        }
-    }
-    require_same("closest pair", world.closest_pair(World::no_limit, memory), closest);
+    check_closest_pairs(world, bodies, memory);
     ++counters["checked: closest pairs"];
 }
 

@@ -75,7 +75,7 @@ std::optional<std::vector<Answer>> ask_one_by_one(const World& world) {
 void require_singular(World& world) {
     bool is_named = false;
     try {
-        std::ignore = world.solid_distances(1);
+        std::ignore = world.depths();
     } catch (const SingularPose& error) {
         is_named = convex_of(world, error.body) != nullptr;
     }
@@ -85,11 +85,15 @@ void require_singular(World& world) {
 // Where the rounded distance is the limit, the real one decides, which is not known here.
 void check_limit(World& world, double limit, std::vector<Answer> expected) {
     std::vector<Answer> got;
-    for (const SolidDistance& pair : world.solid_distances(limit)) {
+    for (const PairDistance& pair : world.signed_distances(limit)) {
+        if (!convex_of(world, pair.bodies.a) || !convex_of(world, pair.bodies.b)) continue;
         got.push_back({{numbers_of(pair.bodies.a), numbers_of(pair.bodies.b)}, pair.distance});
     }
     std::erase_if(expected, [&](const Answer& answer) { return answer.distance > limit; });
-    for (Answer& answer : expected) answer.depth.reset();
+    for (Answer& answer : expected) {
+        if (answer.depth && answer.depth->depth > 0) answer.distance = -answer.depth->depth;
+        answer.depth.reset();
+    }
     const auto is_open = [&](const Answer& answer) { return limit > 0 && answer.distance == limit; };
     std::erase_if(expected, is_open);
     std::erase_if(got, is_open);

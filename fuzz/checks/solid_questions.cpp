@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fuzz/base/failure.hpp"
+#include "fuzz/base/mesh_form.hpp"
 #include "fuzz/checks/text.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
@@ -93,7 +94,8 @@ void SolidQuestions::choose(const World& world, const Truth& truth, std::uint32_
     std::vector<const TruePair*> all, changed;
     for (const TruePair& pair : truth.pairs()) {
         const auto a = solid_of(world, pair.ids.a), b = solid_of(world, pair.ids.b);
-        if (!a || !b || a->mesh().triangles().size() * b->mesh().triangles().size() > triangle_pairs_max) continue;
+        if (!a || !b || dimension_of(*a) < 3 || dimension_of(*b) < 3) continue;
+        if (a->mesh().triangles().size() * b->mesh().triangles().size() > triangle_pairs_max) continue;
         all.push_back(&pair);
         if (pair.is_changed) changed.push_back(&pair);
     }

@@ -66,7 +66,9 @@ std::shared_ptr<const MeshShape> surface_shape(const std::shared_ptr<const Shape
 
 Boundary boundary_of(const Shape& shape, const std::shared_ptr<const Mesh>& mesh, const Pose& pose) {
     if (form_of(shape) == MeshForm::surface) return {mesh, {}, false};
-    Boundary result{mesh, {}, !oracle::is_singular(pose)};
+    const int dimension = dimension_of(shape);
+    if (dimension < 2) return {mesh, {}, false};
+    Boundary result{mesh, {}, dimension == 3 && !oracle::is_singular(pose)};
     std::vector<Triangle> proper;
     for (std::uint32_t i = 0; i < mesh->triangles().size(); ++i) {
         if (!oracle::has_area(*mesh, i)) continue;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -145,7 +146,26 @@ Soup octahedron() {
     return soup;
 }
 
-// Every one of these bounds a solid, before it is scaled.
+// A square, a segment or a point: convex solids that are flat.
+Soup flat_soup(Random& random) {
+    Soup soup{"flat", {}, {}};
+    for (const double x : {-0.5, 0.5}) {
+        for (const double y : {-0.5, 0.5}) soup.vertices.push_back({x, y, 0});
+    }
+    switch (random.below(3)) {
+        case 0:
+            soup.triangles = {{0, 0, 0}};
+            break;
+        case 1:
+            soup.triangles = {{0, 3, 3}};
+            break;
+        default:
+            soup.triangles = {{0, 2, 3}, {0, 3, 1}};
+    }
+    return soup;
+}
+
+// Every one of these but the flat ones bounds a solid, before it is scaled.
 Soup solid_soup(Random& random) {
     switch (random.below(8)) {
         case 0:
@@ -159,6 +179,8 @@ Soup solid_soup(Random& random) {
         case 4:
         case 5:
             return polycube(random);
+        case 6:
+            return flat_soup(random);
         default:
             return cubes_soup(random);
     }
@@ -177,7 +199,8 @@ std::shared_ptr<const Mesh> make_mesh(Meshes menu, double unit, Random& random, 
                 : menu == Meshes::round ? round_soup(random)
                                         : solid_soup(random);
     ++counters[std::string("meshes: ") + soup.name];
-    if (menu == Meshes::solids) require_solid(soup.name, *Mesh::create(soup.vertices, soup.triangles));
+    if (menu == Meshes::solids && std::string_view(soup.name) != "flat")
+        require_solid(soup.name, *Mesh::create(soup.vertices, soup.triangles));
     for (Vec3& vertex : soup.vertices) vertex *= unit;
     return Mesh::create(std::move(soup.vertices), std::move(soup.triangles));
 }

@@ -16,6 +16,8 @@ std::span<const CaseCampaign> case_campaigns() {
          run_placements},
         {"convex", "pairs of posed convex solids, 180 a run, their distances, depths, features and hulls", "convex",
          run_convex},
+        {"kinds", "worlds of all kinds of bodies, half spaces among them, 6 a run of 8 frames each", "worlds of kinds",
+         run_kinds},
     };
     return table;
 }

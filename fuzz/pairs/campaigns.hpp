@@ -51,6 +51,10 @@ void run_hits(std::uint32_t seed, Lie lie, CaseCounts& counts);
 void run_casts(std::uint32_t seed, Lie lie, CaseCounts& counts);
 void run_convex(std::uint32_t seed, Lie lie, CaseCounts& counts);
 
+// Worlds of meshes, solids, convex solids, rounded bodies and half spaces that come, go, jump, and change shapes, radii
+// and filters: all lists after each frame, by the oracle.
+void run_kinds(std::uint32_t seed, Lie lie, CaseCounts& counts);
+
 // All families of solid_cases.hpp, by the oracle and by their recipes; in other environments, and with meshes that
 // bound no solid.
 void run_solids(std::uint32_t seed, Lie lie, CaseCounts& counts);

@@ -86,10 +86,11 @@ struct DistanceTolerance {
                                                        const DistanceTolerance& tolerance, const Ask& ask = {});
 
 // Returns an interval that contains the signed distance: the distance of bodies that share no point; minus the depth of
-// two solids that do (solid.hpp); and 0 if they share a point and at least one of them is a surface. Both ends are the
-// exact number, rounded once, unless solids that share inner points are not both convex: then the ends are minus those
-// of depth_bounds(). A solid under a singular pose counts as a surface, because its image is flat. So `lower` is
-// negative exactly if two solids share inner points, and `upper` is positive exactly if the bodies are apart. Cost:
+// two solids that do (solid.hpp); and 0 if they share a point and at least one of them is a surface, or is flat and the
+// other one not convex. Both ends are the exact number, rounded once, unless solids that share inner points are not
+// both convex: then the ends are minus those of depth_bounds(). A solid under a singular pose counts as a surface,
+// because its image is flat. So `lower` is negative exactly if two solids share inner points, or a flat convex solid
+// and another convex one cross or contain each other; and `upper` is positive exactly if the bodies are apart. Cost:
 // that of distance(), and of depth() or depth_bounds(). (signed_distance() of two convex solids has points, too.)
 [[nodiscard]] ECODS_API DistanceBounds signed_distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                                               const Ask& ask = {});

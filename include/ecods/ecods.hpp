@@ -18,7 +18,7 @@
 //     pose a body by a quaternion, an isometry, a matrix?   Pose::from_quaternion, from_isometry, from_matrix
 //     ask for a point?                                      closest, signed_distance; locate (of a solid)
 //     find penetration, separation?                         signed_distance, depth, depth_bounds; within
-//     get contact points and normals?                       intersections, close_features
+//     get contact points and normals?                       contact_patch (convex); intersections, close_features
 //     have a ground, a wall?                                HalfSpace (half_space.hpp)
 //     find what is inside what?                             relation; World::relations, bodies_containing
 //     ignore pairs?                                         CollisionFilter, World::set_pair_enabled
@@ -49,6 +49,7 @@
 #include "ecods/cast.hpp"             // when does a body on the move first meet another?
 #include "ecods/solid.hpp"            // what is inside what, and how deep?
 #include "ecods/half_space.hpp"       // a ground, a wall
+#include "ecods/contact.hpp"          // where do two convex bodies touch, and in which corners?
 #include "ecods/results.hpp"          // the answers to all these
 #include "ecods/ask.hpp"              // memory, witness and counts of a question
 #include "ecods/world.hpp"            // many moving bodies

@@ -72,7 +72,8 @@ class ECODS_API NotSolid final : public Error {
         // depth. The named edge is, if possible, one whose other triangle has that vertex. A box that was turned and
         // rounded has dents as deep as a few units of rounding; ConvexSolid(points) takes the hull of its vertices.
         dent,
-        // All points lie in one plane, or there are none: point_count.
+        // No triangle has an area, or, for prism(), all points lie on one line, or there are no points: point_count.
+        // ConvexSolid takes points in one plane, and meshes that cover a polygon, a segment or a point.
         no_interior,
     };
 
@@ -99,15 +100,16 @@ enum class Argument : std::uint8_t {
     segment,      // a coordinate "a(0)" or "b(0)" is NaN or infinite
     ray,          // "origin(0)" or "direction(0)" is NaN or infinite, "direction" zero, "max_parameter" NaN or negative
     point,        // a coordinate "(0)" is NaN or infinite
-    motion,       // a coordinate "(0)" is NaN or infinite
+    motion,       // a coordinate "(0)" is NaN or infinite; all are zero in a direction of depth_along()
     ball,         // "center(0)" is NaN or infinite, or "radius" NaN or negative; of a rounded shape also infinite
     half_space,   // "normal(0)" or "offset" is NaN or infinite, or "normal" zero
-    distance,     // NaN or negative, or infinite where it must not be
+    distance,     // NaN or negative, or infinite where it must not be; "max_gap" is NaN or -infinity
     time,         // a limit is NaN or negative
     list_length,  // two lists that belong together differ: the number of "poses" is not that of the bodies
     null,         // a "mesh", "shape" or "test" is null
     mesh_and_shape,  // both were given to create a body (BodyOptions)
-    size,            // of a builder: "radius", "height", "sizes(0)", "radii(2)", "spacing(1)", "base" is not allowed
+    size,            // of a builder: "radius", "height", "sizes(0)", "radii(2)", "spacing(1)", "base" is not allowed;
+                     // of a contact patch: "min_cos_squared" is not
     count,    // of a builder: "sides", "subdivisions", "columns" or "rows" are too few or too many, or make no grid
     polygon,  // of a builder: it is not convex at a point: index
 };
@@ -134,8 +136,8 @@ class ECODS_API SingularPose final : public Error {
   public:
     explicit SingularPose(int argument, BodyId body = {});
 
-    int argument;  // 0: the pose of the first solid of the question; 1: of the second
-    BodyId body;   // the body, if a World was asked
+    int argument;  // 0: the pose of the first shape of the question; 1: of the second
+    BodyId body;   // the body, if a World was asked, or was to give the pose to a body
 };
 
 // Thrown if an id names no body of this world: it is null, its body was destroyed, or it is of another world.

@@ -4,15 +4,16 @@
 //     signed_distance({hull, pose}, {ground, Pose{}}).distance   // negative if the hull is partly below it
 //
 // Two-body questions take the body first and the half space second. A World takes a half space as the shape of a body;
-// it answers intersects, relation, distance, signed_distance, within, closest, casts and hits, in any order of the two.
-// Rounded bodies (rounded.hpp) are answered, too, but for casts. Of two half spaces there are no casts: in a world with
-// two, cast() of one of them and meetings() throw NotSupported.
+// it answers intersects, relation, distance, signed_distance, within, closest, casts and hits, and contact_patch of a
+// convex body (contact.hpp), in any order of the two. Rounded bodies (rounded.hpp) are answered, too, but not while
+// they move between poses. Two half spaces have questions of their own, below.
 //
 // Answers are exact for the real points, and depend on the bits of meshes, poses and half spaces alone; numbers are as
 // in distance.hpp. A mesh, whatever its form, meets a half space if one of its vertices does, so surfaces and solids
-// have the same answers, apart from relation(). Cost of each question: a walk of the mesh's tree to its lowest
-// vertices, and some microseconds for numbers that are rounded. Poses must be finite; a question does not check it.
-// All questions throw SingularPose if the matrix of the half space's pose is singular: its image is then flat.
+// have the same answers, apart from relation(), which takes a flat convex solid for a surface. Cost of each question: a
+// walk of the mesh's tree to its lowest vertices, and some microseconds for numbers that are rounded. Poses must be
+// finite; a question does not check it. All questions throw SingularPose if the matrix of the half space's pose is
+// singular: its image is then flat.
 //
 // Example: verify/examples/how_do_i, stand_on_the_ground().
 #pragma once
@@ -116,6 +117,9 @@ class ECODS_API HalfSpace final : public Shape {
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& body, const Vec3& motion,
                                                          const Posed<HalfSpace>& half_space, double max_time = 1,
                                                          const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<Rounded>& body, const Vec3& motion,
+                                                         const Posed<HalfSpace>& half_space, double max_time = 1,
+                                                         const Ask& ask = {});
 
 // Returns the first contact of a body whose points move on straight lines between two poses (cast.hpp). The half space
 // may be translated. Its matrix may not change, not even the sign of a zero: throws NotSupported. Of several vertices
@@ -131,5 +135,15 @@ class ECODS_API HalfSpace final : public Shape {
 [[nodiscard]] ECODS_API double distance(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, const Ask& ask = {});
 [[nodiscard]] ECODS_API bool within(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, double max_distance,
                                     const Ask& ask = {});
+
+// Return the first contact of the first half space, translated by time times `motion`, with the second; and of two half
+// spaces that move between poses. The time is rational, and rounded once. The kind is `intersecting`, and the features
+// are the faces of triangle 0. If they are apart at the start, neither matrix may change, not even the sign of a zero:
+// throws NotSupported. Throw InvalidArgument as casts of bodies do.
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<HalfSpace>& a, const Vec3& motion,
+                                                         const Posed<HalfSpace>& b, double max_time = 1,
+                                                         const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<HalfSpace>& a, const Moving<HalfSpace>& b,
+                                                         double max_time = 1, const Ask& ask = {});
 
 }  // namespace ecods

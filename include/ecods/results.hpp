@@ -30,7 +30,8 @@ enum class Relation : std::uint8_t {
     touching = 1,  // they share a point (one is enough), but are neither crossing nor overlapping
     // Two surfaces cross if two triangles that are not coplanar share a point of the relative interior of both. (That
     // of a segment is the open segment.) Coplanar triangles that overlap are touching. A surface and a solid cross if
-    // the surface has points inside the solid, and points outside.
+    // the surface has points inside the solid, and points outside. A flat convex solid is as a surface, of one triangle
+    // that may be a polygon (shape.hpp).
     crossing = 2,
     overlapping = 3,  // solids share inner points, and neither contains the other
     inside = 4,       // the first is a proper subset of the second
@@ -80,6 +81,7 @@ struct ClosestPoints {
     Vec3 point_a, point_b;
 
     TrianglePair triangles() const noexcept { return {a.triangle, b.triangle}; }
+    friend bool operator==(const ClosestPoints&, const ClosestPoints&) = default;
 };
 
 // The point of a body that is closest to a given point, and the feature that contains it, as ClosestPoints names it for
@@ -148,8 +150,7 @@ struct CloseFeatures {
 // A pair of triangles counts if the time of its first contact rounds to `time`. Its features are those of lowest
 // dimension that contain the shared point at this first contact. The first pair of features that counts is given, in
 // the order of ClosestPoints. At time 0 the kind is `intersecting`, and the features are the faces of the least pair of
-// triangles that share a point at the start; or it is
-// `contained`, with the features of ClosestPoints.
+// triangles that share a point at the start; or it is `contained`, with the features of ClosestPoints.
 struct FirstContact {
     double time = 0;
     ClosestKind kind = ClosestKind::intersecting;
@@ -211,47 +212,50 @@ struct Location {
 //
 // If several normals have exactly this depth, the first is given: faces of the first solid by their names, then faces
 // of the second, then pairs of edges by the name of the first solid's edge and then of the second's.
+//
+// A polygon's face has an outer normal on both sides. If both have this depth, the other solid's feature decides: a
+// vertex before an edge before a face, then by name. If both solids are flat, and the vectors between their points lie
+// in a plane, the depth is 0, and `a` and `b` are all of each. Then the normal is (q - p) x (r - p) of the corners of
+// the triangle that names the polygon `a`, or `b` if only that is one; for segments that are not parallel their
+// product, each from the vertex of the lesser name; or that of a segment and the first axis not parallel to it; or x.
 struct Depth {
-    double depth = 0;  // 0 exactly when the solids touch
+    double depth = 0;  // 0 exactly when the solids touch, as two in one plane do
     Feature a, b;
     Vec3 direction = Vec3::Zero();  // the unit vector along the normal; b moves along it
 
     friend bool operator==(const Depth&, const Depth&) = default;
 };
 
-// Proven bounds of the depth of two solids, convex or not. The depth is the length of the shortest translation of one
-// of them after which their interiors share no point.
-//
-// Upper bound: if `parted` replaces its pose's translation, b shares no inner point with a, as relation() says,
-// and `upper` is |parted - b.pose.t|, rounded up. Lower bound: from a ball in each solid, so that after a shorter
-// translation their interiors still meet; for convex solids, depth() rounded down. Both are 0 if the solids touch. Both
-// bounds hold; how narrow they are is not promised, and may differ between versions. Along each direction that is
-// tried, `upper` is the length of the way out to some 2^-46 of it, and to 2^-48 of the smaller solid's size, however
-// large the other one is. `parted` consists of doubles: if their spacing at the pose's translation exceeds the depth,
-// so does `upper`; it is infinite if no such translation parts the solids.
-struct DepthBounds {
-    double lower = 0;
-    double upper = 0;
-    Vec3 parted = Vec3::Zero();
-};
-
 // ---- answers of a World
 
-// NearestBody is the body at the least distance from a subject; ClosestPair is the two bodies at the least distance
-// from each other. Both exist only if the real distance is at most the limit. Equal rounded distances give the least id
-// or pair.
+// The body at the least distance from a subject, if the real distance is at most the limit. Equal rounded distances
+// give the least id.
 //
-// Cost: that of BroadPhase::visit_near or visit_near_pairs; for each body or pair visited that is not filtered out, a
-// test of `within`, usually a cheap one; and a distance for each that is the least so far.
+// Cost: that of BroadPhase::visit_near; for each body visited that is not filtered out, a test of `within`, usually a
+// cheap one; and a distance for each that is the least so far.
 struct NearestBody {
     BodyId body;
     double distance = 0;
 
     friend bool operator==(const NearestBody&, const NearestBody&) = default;
 };
+
+// A ClosestPair says how far two bodies are from each other, and where. The distance is signed in three cases: both
+// bodies are ConvexSolids at regular poses; at least one is rounded, and each body, or its core, is a ConvexSolid or a
+// mesh of one triangle at a regular pose; or one is a half space and the other one a mesh, a solid or a rounded body.
+// It is then that of SignedDistance, so negative if they share inner points. For all other pairs it is that of
+// World::distance, which is 0 if they share a point: for a mesh or a solid with dents and anything but a half space,
+// for two half spaces, and for a caller's own shapes. It is rounded once; a limit is compared with the real one.
+//
+// `points` has that distance, the features and the points: those of SignedDistance, or of World::closest. It is empty
+// for two half spaces, and for a caller's own shapes whose test does not answer `closest`. `direction` is that of
+// SignedDistance, along which the second body would move; empty if the distance is positive or has no sign. Pairs are
+// ordered by distance, then by ids.
 struct ClosestPair {
     BodyPair bodies;
     double distance = 0;
+    std::optional<ClosestPoints> points = {};
+    std::optional<Vec3> direction = {};
 
     friend bool operator==(const ClosestPair&, const ClosestPair&) = default;
 };
@@ -297,10 +301,8 @@ struct PairRelation {
     friend bool operator==(const PairRelation&, const PairRelation&) = default;
 };
 
-// Two convex solid bodies that share a point, and the shortest translation of `bodies.b` that parts them.
-//
-// Cost: a pass over the bodies, sorting the boxes of convex solids into trees, and a depth() for each pair that shares
-// a point.
+// Two convex solid bodies that share a point, and the shortest translation of `bodies.b` that parts them. Cost: as of
+// closest_pairs, and a depth() for each pair.
 struct BodyDepth {
     BodyPair bodies;
     Depth depth;
@@ -308,15 +310,12 @@ struct BodyDepth {
     friend bool operator==(const BodyDepth&, const BodyDepth&) = default;
 };
 
-// Two convex solid bodies and their distance, which is 0 exactly if they share a point.
-//
-// Cost: as of BodyDepth, and a distance() for each pair whose boxes are not proven to be further apart than the
-// limit.
-struct SolidDistance {
+// Two bodies and their distance, signed as that of ClosestPair. Cost: as of closest_pairs, without the points.
+struct PairDistance {
     BodyPair bodies;
     double distance = 0;
 
-    friend bool operator==(const SolidDistance&, const SolidDistance&) = default;
+    friend bool operator==(const PairDistance&, const PairDistance&) = default;
 };
 
 // A body that contains a point, inside or on its surface.
@@ -328,7 +327,7 @@ struct BodyAt {
 };
 struct BodiesContaining {
     std::vector<BodyAt> bodies;     // ascending
-    std::size_t skipped_count = 0;  // bodies that are no solids, so not asked
+    std::size_t skipped_count = 0;  // bodies that are no Solids, so not asked: rounded ones and half spaces, too
 };
 
 // ---- names

@@ -20,14 +20,21 @@
 // triangle).
 //
 //     intersects, distance, within, closest, distance_bounds     answered
-//     a World's lists, events, nearest, closest_pair             answered
+//     signed_distance                                            answered, unless the cores share a point and one is
+//                                                                not convex
+//     depth                                                      answered, if both are convex
+//     closest, signed_distance, locate of a point                answered
+//     hits; casts by a translation                               answered
+//     contact_patch (contact.hpp)                                answered, if both are convex
+//     a World's lists, events, nearest, closest_pairs            answered; distances are signed if both are convex
 //     relation                                                   answered, if both are convex, or one is convex and the
 //                                                                other has no radius; otherwise, see relation()
+//     a World's depths, bodies_containing                        leave rounded bodies out
 //     a World's relations                                        as relation(): set_relations refuses other rounded
 //                                                                bodies
 //     traces                                                     written and read
 //     with a half space                                          half_space.hpp
-//     hits, casts, meetings, depth, certificates, triangles      NotSupported, or no such function
+//     casts between poses, meetings, certificates, triangles     NotSupported, or no such function
 //
 // Everything is defined for all finite poses, also singular ones, and for zero-area triangles. Threads are as in
 // intersection.hpp. A question may throw std::bad_alloc where numbers need more than some hundred digits.
@@ -40,6 +47,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "ecods/ask.hpp"
 #include "ecods/distance.hpp"
@@ -48,6 +57,7 @@
 #include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 
 namespace ecods {
 
@@ -62,6 +72,23 @@ class ECODS_API Rounded final : public Shape {
     // Returns the core's box, reaching further by the radius on all sides, rounded outwards.
     Aabb box(const Pose& pose) const override;
     std::uint64_t digest() const noexcept override;
+
+    // Answer as hit.hpp says of a solid: a line that begins inside, and not on the surface, hits there, with parameter
+    // 0 and kind `inside`. all_hits() then has where the line comes into the body (`front`) and where it leaves it
+    // (`back`), at most one of each for each part of the line that is in the body, so the parts inside other parts have
+    // no hits; or `face`, where it only touches. A line that begins on the surface has its hit there. The feature is
+    // the core's that is closest to the hit point; of several, the first is given by the order of ClosestPoints. Of
+    // equal real parameters no hit is listed twice. In a World, a parameter is taken as exact, once it is rounded.
+    //
+    // Without a radius, the hits are those of the core. Throw NotSupported if the radius is below some 2^-48 of the
+    // coordinates, the core is a solid that is not convex, and all_hits() must decide if a part of the line inside it
+    // joins two hits. Cost: distances of parts of the line from the core; for each triangle that the line may be near
+    // first, or for all_hits() at all, some tens of microseconds.
+    bool answers(Question question) const noexcept override { return question == Question::hits; }
+    std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const override;
+    std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const override;
+    std::optional<Hit> first_hit(const Segment& segment, const Pose& pose, const Ask& ask) const override;
+    std::optional<Hit> first_hit(const Ray& ray, const Pose& pose, const Ask& ask) const override;
 
     const MeshShape& core() const noexcept { return *core_; }
     const std::shared_ptr<const MeshShape>& core_ptr() const noexcept { return core_; }
@@ -130,5 +157,75 @@ class ECODS_API Rounded final : public Shape {
                                                        const DistanceTolerance& tolerance, const Ask& ask = {});
 [[nodiscard]] ECODS_API DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<Rounded>& b,
                                                        const DistanceTolerance& tolerance, const Ask& ask = {});
+
+// Return the signed distance with points and direction, as that of two convex solids (SignedDistance): the distance of
+// the cores less both radii; if the cores share a point, minus the sum of their depth and both radii.
+//
+// Let n be the direction. Features, kind and n are those of the cores. Each point is the core's point, moved by its
+// radius along n towards the other body if the cores are apart, and so if they share a point, too: point_b - point_a is
+// the signed distance times n, as real numbers. A core without an inside (a point, a segment, a triangle) has the depth
+// after which some plane parts the cores. Ties of directions are broken as Depth says, also of flat solids.
+//
+// Bodies may have cores that are not convex, as long as these share no point. If the number is then negative, its
+// magnitude is a lower bound of the length of the shortest translation that parts the interiors: after a shorter one,
+// the cores are still too near to each other. If cores share a point and one of them is not convex, NotSupported is
+// thrown; depth_bounds() (solid.hpp) bounds the depth of the cores. Throw SingularPose if the cores share a point and
+// one has a singular pose. Cost: that of closest(), or that of signed_distance() of the cores; if these share a point,
+// some microseconds more to make flat solids of points, segments and triangles.
+[[nodiscard]] ECODS_API SignedDistance signed_distance(const Posed<Rounded>& a, const Posed<Rounded>& b,
+                                                       const Ask& ask = {});
+[[nodiscard]] ECODS_API SignedDistance signed_distance(const Posed<Rounded>& a, const Posed<MeshShape>& b,
+                                                       const Ask& ask = {});
+[[nodiscard]] ECODS_API SignedDistance signed_distance(const Posed<MeshShape>& a, const Posed<Rounded>& b,
+                                                       const Ask& ask = {});
+
+// Return the depth of two convex bodies, and its direction: minus their signed distance; nullopt if they share no
+// point. The features are those of signed_distance(), unless neither body has a radius and both are convex solids
+// (solid.hpp). Throw NotSupported, with both kinds, if a body is not convex; errors and cost are otherwise those of
+// signed_distance().
+[[nodiscard]] ECODS_API std::optional<Depth> depth(const Posed<Rounded>& a, const Posed<Rounded>& b,
+                                                   const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<Depth> depth(const Posed<Rounded>& a, const Posed<MeshShape>& b,
+                                                   const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<Depth> depth(const Posed<MeshShape>& a, const Posed<Rounded>& b,
+                                                   const Ask& ask = {});
+
+// Return the first contact of a, translated by time times `motion`, with b, which stays (cast.hpp): the first time at
+// which the cores are within the exact sum of the radii, rounded once. The kind and the features are those of the
+// cores' closest points then, by the rule of FirstContact; at time 0, those of closest(). Without radii, the contact is
+// that of the cores. Throw InvalidArgument if a coordinate of the motion is not finite, or max_time is negative or NaN.
+// Cost: that of within() at the start and for some parts of the motion; for each pair of triangles that may be near
+// first, about a tenth of a millisecond. A body that slides along another one at little more than the radii has many of
+// them.
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<Rounded>& a, const Vec3& motion,
+                                                         const Posed<Rounded>& b, double max_time = 1,
+                                                         const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<Rounded>& a, const Vec3& motion,
+                                                         const Posed<MeshShape>& b, double max_time = 1,
+                                                         const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion,
+                                                         const Posed<Rounded>& b, double max_time = 1,
+                                                         const Ask& ask = {});
+
+// ---- points
+//
+// All throw InvalidArgument unless the point is finite. Cost: that of one or two closest() of the point and the core.
+
+// Returns the point of the body that is closest to the given one, and the core's feature (ClosestPoint). If the given
+// point is inside the body, the distance is 0, `point` is the given point, and the feature is no_feature. If it is on
+// the body's surface, `point` is the given point, and the feature is that of the core's closest point.
+[[nodiscard]] ECODS_API ClosestPoint closest(const Eigen::Ref<const Vec3>& point, const Posed<Rounded>& body,
+                                             const Ask& ask = {});
+
+// Returns the distance of the point from the core less the radius; inside a solid core, minus the sum of the distance
+// from the core's surface and the radius. It is negative exactly inside the body; then its magnitude is the distance
+// from the body's surface if the core is convex, and otherwise a lower bound of it.
+[[nodiscard]] ECODS_API double signed_distance(const Eigen::Ref<const Vec3>& point, const Posed<Rounded>& body,
+                                               const Ask& ask = {});
+
+// Returns whether the point is inside, outside or on the surface, and there the feature of the core's closest point.
+// A body without a radius is its core: a point of a surface is on it.
+[[nodiscard]] ECODS_API Location locate(const Eigen::Ref<const Vec3>& point, const Posed<Rounded>& body,
+                                        const Ask& ask = {});
 
 }  // namespace ecods

@@ -154,18 +154,33 @@ ECODS_API void check_solid(const Mesh& mesh);
 // a common edge, or one on the other. The mesh need not be closed. Zero-area triangles are left out.
 [[nodiscard]] ECODS_API std::vector<TrianglePair> self_intersections(const Mesh& mesh);
 
-// A mesh that bounds a convex solid. Distances of two convex solids are found by a search of their own, faster than
-// that of their triangles, and have depths (solid.hpp).
+// A ConvexSolid is a mesh that bounds a convex solid, or covers a flat one: a convex polygon, a segment or a point. The
+// distance of two convex solids is found by a search of its own, faster than that of their triangles; and two of them
+// have a depth (solid.hpp).
+//
+// A mesh covers a convex polygon if its triangles of positive area tile one edge to edge, however they are turned: each
+// of their sides is a side of exactly one other triangle, or lies on the border. Triangles of zero area are left out. A
+// mesh without a triangle of positive area covers a segment, if its triangles are pieces of the segment that leave no
+// gap, or a point. Both are decided exactly; other meshes in one plane are no convex solids.
+//
+// A flat solid has no inner points. In every question it is the closed set: a body inside it shares points with it, and
+// is in it. In solids it is as a surface is: inside, touching, also in a face, or crossing, and never overlapping. Its
+// relation to another flat one or to a surface is that of two triangles, as if the polygon was one triangle; at a
+// singular pose, that of its triangles.
 //
 // Cost: that of Solid, and an exact sign for each edge. Memory: that of a Solid, about 200 bytes a vertex of the set,
 // and 4 bytes a vertex of the mesh.
 class ECODS_API ConvexSolid final : public Solid {
   public:
-    // Throws InvalidArgument for a null mesh; NotSolid, which names a dent if the mesh has one.
+    // Throws InvalidArgument for a null mesh; NotSolid, which names a dent if the mesh has one, or an open edge if it
+    // covers no flat set.
     explicit ConvexSolid(std::shared_ptr<const Mesh> mesh);
     // Makes the convex hull of the points. Throws the errors of convex_hull().
     explicit ConvexSolid(std::span<const Vec3> points);
     ~ConvexSolid() override;
+
+    // Returns 3; for a flat solid, 2 if it is a polygon, 1 if it is a segment and 0 if it is a point.
+    int dimension() const noexcept;
 
   private:
     friend struct ConvexSolidAccess;
@@ -176,9 +191,10 @@ class ECODS_API ConvexSolid final : public Solid {
 
 // Returns the convex hull of the points. Its vertices are the points that are no convex combination of others, in the
 // order given; of equal points the first. Its triangles fan out from the least vertex of each face. They are turned
-// outwards, and ascending by their vertices. Exact: no point is outside. Throws InvalidMesh, which names the index of a
-// point that is not finite, or says that points are too many; NotSolid if all points lie in one plane, or there are
-// none. Cost: n log n for most points; n f, of f faces, at worst.
+// outwards, and ascending by their vertices. Exact: no point is outside. If all points lie in one plane, the hull is a
+// polygon, whose normal's first coordinate that is not zero is positive; a segment, the triangle {0, 1, 1}; or a point,
+// {0, 0, 0}. Throws InvalidMesh, which names the index of a point that is not finite, or says that points are too many;
+// NotSolid if there are no points. Cost: n log n for most points; n f, of f faces, at worst.
 [[nodiscard]] ECODS_API std::shared_ptr<const Mesh> convex_hull(std::span<const Vec3> points);
 
 }  // namespace ecods

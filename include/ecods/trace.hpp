@@ -2,8 +2,7 @@
 //
 // World::trace_to starts the record, with the bodies that are in the world at that moment. From then on every call that
 // changed something is written, one line each, in the order of the calls; a call that threw is not, as it changed
-// nothing.
-// Numbers are written without loss. The text, version 2:
+// nothing. Numbers are written without loss. The text, version 2:
 //
 //     ecods-trace 2
 //     world sweep_and_prune 0                   broad phase; places for bodies that were used before
@@ -39,16 +38,18 @@
 //     meetings 0123456789abcdef 2                      then so many lines p, as of set_poses
 //     nearest 0123456789abcdef 1.0 inf                 body, limit of distance
 //     closest_pair 0123456789abcdef inf
+//     closest_pair_of 0123456789abcdef inf 1 2         limit of distance, groups; hexadecimal
+//     closest_pairs 0123456789abcdef inf 1 2           the same
 //     bodies_containing 0123456789abcdef P P P
 //     depths 0123456789abcdef
-//     solid_distances 0123456789abcdef inf             limit of distance
+//     signed_distances 0123456789abcdef inf            limit of distance
 //
 // A body is written as slot and generation. "update" is written before the update runs, and its result after it: if a
 // program crashes in an update, the trace ends with "update" alone. An update that threw is "update failed". Lines end
 // with LF; a file whose first line ends with CR LF, as some editors write it, is read as well, and a byte order mark at
 // its beginning is passed over. In version 1, which is read and replayed with its old meaning, solids met as their
-// surfaces did, and set_solids listed relations of solids alone. reserve() is not written: it changes no answer.
-// set_test cannot be, and leaves a note.
+// surfaces did, set_solids listed relations of solids alone, and solid_distances had the distances of convex solids,
+// without signs. reserve() is not written: it changes no answer. set_test cannot be, and leaves a note.
 //
 // Example: verify/examples/how_do_i, trace_and_replay().
 #pragma once

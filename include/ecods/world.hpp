@@ -33,6 +33,7 @@
 
 #include "ecods/ask.hpp"
 #include "ecods/certificate.hpp"
+#include "ecods/contact.hpp"
 #include "ecods/error.hpp"
 #include "ecods/export.hpp"
 #include "ecods/ids.hpp"
@@ -121,8 +122,8 @@ class ECODS_API World {
     // A pair is filtered out if the filters of its bodies exclude it, or if it is switched off. It is then not tested,
     // and is in no list and no event, even if it collides. If a colliding pair becomes filtered out, the next update
     // reports that it ended; if it is filtered out no more, that it began; and likewise for close pairs. nearest(),
-    // closest_pair(), cast(), meetings(), depths() and solid_distances() skip pairs that are filtered out. Questions
-    // about one pair ignore filters.
+    // closest_pair(), closest_pairs(), cast(), meetings(), depths() and signed_distances() skip pairs that are filtered
+    // out. Questions about one pair ignore filters.
 
     void set_filter(BodyId body, const CollisionFilter& filter);
     CollisionFilter filter(BodyId body) const;
@@ -194,12 +195,17 @@ class ECODS_API World {
                                                             const Ask& ask = {}) const;
 
     // Answer as solid.hpp says, and throw the same errors. Throw NotSupported if one of the two is no Solid, or for
-    // depth() and signed_distance() no ConvexSolid; but signed_distance() also takes a half space and any mesh, solid
-    // or rounded body (half_space.hpp). If several features tie, depth() and signed_distance() of two bodies choose as
-    // if the body with the lesser id came first.
+    // depth() and signed_distance() no ConvexSolid, with two exceptions: both calls take a rounded body with another
+    // one or with a mesh of any form, and answer as rounded.hpp says; and signed_distance() takes a half space with any
+    // of these (half_space.hpp). If several features tie, depth() and signed_distance() of two bodies choose as if the
+    // body with the lesser id came first.
     [[nodiscard]] std::optional<Depth> depth(const Asked& a, const Asked& b, const Ask& ask = {}) const;
     [[nodiscard]] SignedDistance signed_distance(const Asked& a, const Asked& b, const Ask& ask = {}) const;
     [[nodiscard]] std::optional<DepthBounds> depth_bounds(const Asked& a, const Asked& b, const Ask& ask = {}) const;
+
+    // Answers as contact.hpp says, with the subjects in the order given, and throws the same errors.
+    [[nodiscard]] ContactPatch contact_patch(const Asked& a, const Asked& b, const PatchLimits& limits = {},
+                                             const Ask& ask = {}) const;
 
     // ---- answers about everything, as of now
     //
@@ -215,23 +221,52 @@ class ECODS_API World {
     // two-body test for each box that overlaps. (Parry: intersections_with_shape; Box3D: overlap queries.)
     [[nodiscard]] std::vector<BodyId> intersecting_bodies(const Asked& subject, const Ask& ask = {}) const;
 
-    // Returns the solids that contain the point, inside or on their surface. Exact. Cost: that of BroadPhase::find, and
-    // a locate() for each box that contains the point.
+    // Returns the bodies with a Solid that contains the point, inside or on its surface. Rounded bodies and half spaces
+    // are not asked. Exact. Cost: that of BroadPhase::find, and a locate() for each box that contains the point.
     [[nodiscard]] BodiesContaining bodies_containing(const Vec3& point, const Ask& ask = {}) const;
 
-    // Return the body nearest to the subject, and the closest pair that is not filtered out; nullopt if there is none
-    // within max_distance. NearestBody says which one is returned if several tie. Throw InvalidArgument if max_distance
-    // is negative or NaN. Need tests that answer Question::within and Question::distance.
+    // Returns the body nearest to the subject; nullopt if there is none within max_distance. NearestBody says which one
+    // is returned if several tie. Throws InvalidArgument if max_distance is negative or NaN. Needs tests that answer
+    // Question::within and Question::distance.
     [[nodiscard]] std::optional<NearestBody> nearest(const Asked& subject, double max_distance = no_limit,
                                                      const Ask& ask = {}) const;
-    [[nodiscard]] std::optional<ClosestPair> closest_pair(double max_distance = no_limit, const Ask& ask = {}) const;
     static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-    // Return the pairs of convex solids that share a point, and those whose real distance is at most max_distance;
-    // ascending. Throw SingularPose if any convex solid in the world has a singular pose; InvalidArgument;
-    // ExecutorFailed. If `ask` gives no memory, the executor runs the work; calls of several threads then take turns.
+    // Return the closest pair, and all pairs, whose real distance is at most max_distance, with their points
+    // (ClosestPair says in which order, and which distances are signed). Pairs that are filtered out are skipped. With
+    // groups, only pairs count of which one body is in a group of groups_a and the other one in a group of groups_b, in
+    // any order of the two (CollisionFilter::groups); so the order of both arguments does not matter, and a body may
+    // be in both. Throw InvalidArgument if max_distance is negative or NaN. Need tests that answer Question::within and
+    // Question::distance. If `ask` gives no memory, the executor runs closest_pairs(); calls of several threads then
+    // take turns (ExecutorFailed).
+    //
+    // Cost of closest_pair: that of BroadPhase::visit_near_pairs; with groups, a pass over the bodies, and that of
+    // visit_near from each body of the smaller group. The pair that was closest at the last call with the same memory
+    // is asked first, so the counts depend on the calls before. Of each pair that may be closer, a test of `within`; of
+    // the few that are, a distance. Cost of closest_pairs: a pass over the bodies, sorting boxes into trees, and a test
+    // of `within` for each pair whose boxes may be near enough; for each pair that is listed, its points.
+    [[nodiscard]] std::optional<ClosestPair> closest_pair(double max_distance = no_limit, const Ask& ask = {}) const;
+    [[nodiscard]] std::optional<ClosestPair> closest_pair(double max_distance, std::uint64_t groups_a,
+                                                          std::uint64_t groups_b, const Ask& ask = {}) const;
+    [[nodiscard]] std::vector<ClosestPair> closest_pairs(double max_distance, const Ask& ask = {}) const;
+    [[nodiscard]] std::vector<ClosestPair> closest_pairs(double max_distance, std::uint64_t groups_a,
+                                                         std::uint64_t groups_b, const Ask& ask = {}) const;
+
+    // Returns the signed distances, without points, of the pairs that closest_pairs(max_distance) lists; ascending by
+    // pair. So signed_distances(0) has those of colliding_pairs(), and with the clearance those of close_pairs(), as
+    // the bodies are now. Throws, and runs the work, as closest_pairs() does.
+    [[nodiscard]] std::vector<PairDistance> signed_distances(double max_distance, const Ask& ask = {}) const;
+
+    // Returns the pairs of ConvexSolids that share a point, each with its Depth; ascending. Rounded bodies are left
+    // out. Minus the depth of a pair is its number in signed_distances(0). Throws SingularPose if any ConvexSolid in
+    // the world has a singular pose; ExecutorFailed. Runs the work as closest_pairs() does.
     [[nodiscard]] std::vector<BodyDepth> depths(const Ask& ask = {}) const;
-    [[nodiscard]] std::vector<SolidDistance> solid_distances(double max_distance, const Ask& ask = {}) const;
+
+    // Returns the contact patches of those colliding_pairs() that contact_patch() takes, in the order of that list, the
+    // body of the lesser id first. The pairs are those of the last update; bodies that were moved since are where they
+    // are now, and may be apart. Throws SingularPose and InvalidArgument. Cost: a pass over the list, and a
+    // contact_patch() for each such pair.
+    [[nodiscard]] std::vector<BodyPatch> contact_patches(const PatchLimits& limits = {}, const Ask& ask = {}) const;
 
     // Return the first hit, or all hits, of a segment or ray (hit.hpp) with the bodies; if a filter is given, only with
     // bodies that it may meet. BodyHit says in which order. Throw InvalidArgument, and NotSupported if the shape of any

@@ -41,10 +41,10 @@ class ECODS_API Executor {
 struct WorldOptions {
     BroadPhaseKind broad_phase = BroadPhaseKind::automatic;
 
-    // Runs the two-body tests of update(), depths() and solid_distances(); null: the calling thread runs them. Answers,
-    // lists, events, digests and counts are the same for any executor and number of workers. Several threads may call a
-    // caller's own tests at the same time, each with its own QueryMemory. The calling thread answers questions about a
-    // pair.
+    // Runs the two-body tests of update(), closest_pairs(), depths() and signed_distances(); null: the calling thread
+    // runs them. Answers, lists, events, digests and counts are the same for any executor and number of workers.
+    // Several threads may call a caller's own tests at the same time, each with its own QueryMemory. The calling thread
+    // answers questions about a pair.
     std::shared_ptr<Executor> executor = nullptr;
 
     // The ids of the first bodies, in this order; later bodies get ids that no body had. To make a copy of another

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/kind_name.hpp"
 #include "base/make_error.hpp"
 #include "base/misuse.hpp"
 #include "base/number_text.hpp"
@@ -78,20 +79,13 @@ void set_edge(NotSolid& error, const MeshEdge& edge) {
     error.vertices = edge.vertices;
 }
 
-// Returns the name of a kind of the library's rounded shapes or half spaces, or the number of another kind.
-std::string name_of(ShapeKind kind) {
-    if (kind == ShapeKind::half_space()) return "half space";
-    if (kind == ShapeKind::rounded()) return "rounded";
-    return kind == ShapeKind::rounded_convex() ? "rounded convex" : std::to_string(kind.value);
-}
-
 std::string not_supported_text(Question question, ShapeKind a, ShapeKind b, BodyId body) {
-    const std::string first = name_of(a), both = first + " and " + name_of(b);
-    if (question == Question::intersects) return "no two-body test is registered for shape kinds " + both;
+    const std::string first = name_of(a), both = "(" + first + ", " + name_of(b) + ")";
+    if (question == Question::intersects) return "no two-body test is registered for shapes " + both;
     if (question == Question::certify) {
-        return text(body) + " has a shape of kind " + first + ", of which there are no certificates";
+        return text(body) + " has a shape (" + first + ") of which there are no certificates";
     }
-    return (question == Question::hits ? "the shape of kind " + first : "the test of shape kinds " + both) +
+    return (question == Question::hits ? "the shape (" + first + ")" : "the test of shapes " + both) +
            " does not answer " + name_of(question);
 }
 
@@ -217,7 +211,7 @@ InvalidArgument invalid_box(int axis, double min, double max) {
 }
 
 InvalidArgument invalid_box(ShapeKind kind, int axis, double min, double max) {
-    InvalidArgument error = about_box("shape of kind " + name_of(kind) + " gave a box with ", axis, min, max);
+    InvalidArgument error = about_box("shape (" + name_of(kind) + ") gave a box with ", axis, min, max);
     error.kind = kind;
     return error;
 }
@@ -295,8 +289,9 @@ InvalidArgument mesh_and_shape() {
 }
 
 SingularPose::SingularPose(int argument_index, BodyId of_body)
-    : Error(place_text(of_body, {}) + "the pose of the " + (argument_index == 0 ? "first" : "second") +
-            " solid is singular"),
+    : Error(of_body
+                ? place_text(of_body, {}) + "its pose is singular"
+                : std::string("the pose of the ") + (argument_index == 0 ? "first" : "second") + " shape is singular"),
       argument(argument_index),
       body(of_body) {}
 
@@ -313,7 +308,7 @@ NotSupported::NotSupported(Question asked, ShapeKind first, ShapeKind second, Bo
 NotUpdated::NotUpdated() : Error("the world changed since its last update") {}
 
 ShapeChanged::ShapeChanged(BodyId of_body, ShapeKind of_kind, const std::string& what_changed)
-    : Error(text(of_body) + ": its shape, of kind " + name_of(of_kind) + ", changed its " + what_changed +
+    : Error(text(of_body) + ": its shape (" + name_of(of_kind) + ") changed its " + what_changed +
             " while the body had it"),
       body(of_body),
       kind(of_kind) {}

@@ -3,6 +3,8 @@
 #include <ostream>
 #include <string>
 
+#include "base/kind_name.hpp"
+
 namespace ecods {
 namespace {
 
@@ -32,11 +34,15 @@ std::ostream& operator<<(std::ostream& out, const TrianglePair& pair) {
 }
 
 std::ostream& operator<<(std::ostream& out, ShapeKind kind) {
-    if (kind == ShapeKind::mesh()) return out << std::string("mesh");
-    if (kind == ShapeKind::rounded()) return out << std::string("rounded");
-    if (kind == ShapeKind::rounded_convex()) return out << std::string("rounded convex");
-    if (kind == ShapeKind::half_space()) return out << std::string("half space");
-    return out << std::string("kind ").append(std::to_string(kind.value));
+    return out << name_of(kind);
+}
+
+std::string name_of(ShapeKind kind) {
+    if (kind == ShapeKind::mesh()) return "mesh";
+    if (kind == ShapeKind::rounded()) return "rounded";
+    if (kind == ShapeKind::rounded_convex()) return "rounded convex";
+    if (kind == ShapeKind::half_space()) return "half space";
+    return "kind " + std::to_string(kind.value);
 }
 
 }  // namespace ecods

@@ -6,9 +6,15 @@
 #include <cmath>
 #include <limits>
 
+#include "base/next.hpp"
 #include "ecods/primitives.hpp"
 
 namespace ecods {
+
+// Returns the gap of two boxes on an axis; it is negative if they overlap there.
+inline double gap_on(int axis, const Aabb& a, const Aabb& b) noexcept {
+    return std::max(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]);
+}
 
 // Returns a lower bound of the distance of two closed boxes, in every floating-point environment; infinity only if the
 // distance exceeds the largest double. Larger boxes that contain a and b never get a greater bound than a and b.
@@ -25,13 +31,32 @@ inline double distance_below(const Aabb& a, const Aabb& b) noexcept {
     double largest = 0, sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
         // Infinite ends may give NaN, which fails the comparison, so it counts as no gap.
-        const double gap = std::max(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]);
+        const double gap = gap_on(axis, a, b);
         if (!(gap >= largest_min)) continue;
         largest = std::max(largest, gap);
         const double counted = std::min(gap, gap_max);
         if (counted >= gap_min) sum += counted * counted;
     }
     return factor * std::max(largest, std::sqrt(sum));
+}
+
+// Returns a lower bound of the signed distance of two sets in these boxes, if minus the length of a translation that
+// parts them is one: distance_below(), or if that is 0, minus the length of the shortest translation along an axis that
+// parts the boxes.
+//
+// That length is rounded up: each end that is flushed to zero changes it by less than 2^-1022, and a flushed difference
+// by as much. The subtraction rounds by less than one unit in the last place, in any rounding mode, for which the first
+// next_down makes up; the second one does so for the subtrahend 2^-1020, which covers what is flushed. If it is too
+// small to change the number, one unit in the last place of that is more than 2^-1020.
+inline double signed_distance_below(const Aabb& a, const Aabb& b) noexcept {
+    const double apart = distance_below(a, b);
+    if (apart > 0) return apart;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double gap = gap_on(axis, a, b);
+        if (gap > largest) largest = gap;  // not if it is NaN
+    }
+    return std::min(next_down(next_down(largest) - 0x1p-1020), 0.0);
 }
 
 }  // namespace ecods

@@ -55,7 +55,7 @@ setup(
     license="MIT",
     python_requires=">=3.9",
     install_requires=["numpy"],
-    packages=["ecods"],
+    packages=["ecods", "ecods.compat", "ecods.compat.fcl"],
     package_data={"ecods": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("ecods._ecods", [])],
     cmdclass={"build_ext": BuildWithCMake},

@@ -15,7 +15,7 @@ from ecods.refusals import split  # noqa: E402
 
 TAKEN = {"numpy.ndarray": "ArrayLike", "object": "ArrayLike", "Posed": "Posed | Mesh",
          "PosedRounded": "PosedRounded | Rounded", "PosedHalfSpace": "PosedHalfSpace | HalfSpace",
-         "Union[int, Posed, PosedRounded, PosedHalfSpace]":
+         "int | Posed | PosedRounded | PosedHalfSpace":
              "int | Posed | Mesh | PosedRounded | Rounded | PosedHalfSpace | HalfSpace"}
 PYTHON = ["CollisionManager", "ContactData", "DistanceData"]
 GIVEN = {"object": "Any", "dict": "dict[str, Any]"}
@@ -23,7 +23,8 @@ GIVEN = {"object": "Any", "dict": "dict[str, Any]"}
 
 def plain(text):
     """Returns a type without the names of modules that pybind11 writes."""
-    text = text.replace("ecods._ecods.", "").replace("ecods.", "")
+    text = text.replace("ecods._ecods.", "").replace("ecods.", "").replace("ecods::", "")
+    text = re.sub(r"\bUnion\[([^\[\]]*)\]", lambda match: match.group(1).replace(", ", " | "), text)
     text = re.sub(r"numpy\.ndarray\[[^\]]*\]", "numpy.ndarray", text)
     return re.sub(r"\b(List|Tuple|Dict)\b", lambda match: match.group(1).lower(), text)
 

@@ -291,6 +291,7 @@ struct CopyFields {
     void point(const auto& from, auto& to) const { to = from; }
     void number(const auto& from, auto& to) const { to = from; }
     void optional_filter(const auto& from, auto& to) const { to = from; }
+    void groups(const auto& from, auto& to) const { to = from; }
 };
 
 // Returns the same call with other names, which `body_of` and `shape_of` give.

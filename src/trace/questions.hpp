@@ -5,7 +5,7 @@
 // `fields` passes these kinds of fields, besides the kinds of calls.hpp:
 //
 //     answer     the digest                             number           0 or more, infinity included
-//     line       a segment or a ray                     motion, point, optional_filter
+//     line       a segment or a ray                     motion, point, optional_filter, groups
 #pragma once
 
 #include <cstdint>
@@ -117,6 +117,32 @@ struct ClosestOfAll : UpTo {
     auto ask(auto& world) const { return world.closest_pair(limit); }
 };
 
+// Holds the fields of questions about the pairs of two groups of bodies.
+struct OfGroups {
+    std::uint64_t answer;
+    double limit;
+    std::uint64_t groups_a, groups_b;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.number(call.limit...);
+        each.groups(call.groups_a...);
+        each.groups(call.groups_b...);
+    }
+};
+
+template <class Names>
+struct ClosestOfGroups : OfGroups {
+    static constexpr std::string_view name = "closest_pair_of";
+    auto ask(auto& world) const { return world.closest_pair(limit, groups_a, groups_b); }
+};
+
+template <class Names>
+struct ClosestPairs : OfGroups {
+    static constexpr std::string_view name = "closest_pairs";
+    auto ask(auto& world) const { return world.closest_pairs(limit, groups_a, groups_b); }
+};
+
 template <class Names>
 struct BodiesAtPoint {
     static constexpr std::string_view name = "bodies_containing";
@@ -140,14 +166,22 @@ struct Depths {
 };
 
 template <class Names>
+struct SignedDistances : UpTo {
+    static constexpr std::string_view name = "signed_distances";
+    auto ask(auto& world) const { return world.signed_distances(limit); }
+};
+
+// Is read only: in version 1, and before signed_distances. unsigned_distances() is found where the world is known.
+template <class Names>
 struct SolidDistances : UpTo {
     static constexpr std::string_view name = "solid_distances";
-    auto ask(auto& world) const { return world.solid_distances(limit); }
+    auto ask(auto& world) const { return unsigned_distances(world, limit); }
 };
 
 template <class Names>
-using Question = std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
-                              Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>, Depths<Names>,
-                              SolidDistances<Names>>;
+using Question =
+    std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
+                 Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>, Depths<Names>,
+                 SolidDistances<Names>, SignedDistances<Names>, ClosestOfGroups<Names>, ClosestPairs<Names>>;
 
 }  // namespace ecods::calls

@@ -96,6 +96,7 @@ class FieldReader {
     void point(Vec3& point) { point = lines_.point(); }
     void number(double& number) { number = lines_.number(); }
     void optional_filter(std::optional<CollisionFilter>& filter) { filter = lines_.optional_filter(); }
+    void groups(std::uint64_t& groups) { groups = lines_.hex("groups"); }
 
   protected:
     TraceLines& lines() noexcept { return lines_; }

@@ -79,6 +79,7 @@ class TraceWriter {
         void point(const Vec3& point) const { put(point); }
         void number(double number) const { put(number); }
         void optional_filter(const std::optional<CollisionFilter>& filter) const { put(filter); }
+        void groups(std::uint64_t groups) const { put(Hex{groups}); }
 
         template <class... Words>
         void put(const Words&... words) const {

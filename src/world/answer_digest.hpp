@@ -48,10 +48,11 @@ class AnswerDigest {
     void take(const BodyContact& met) noexcept { take(met.body, met.contact); }
     void take(const Meeting& meeting) noexcept { take(meeting.bodies, meeting.contact); }
     void take(const NearestBody& nearest) noexcept { take(nearest.body, nearest.distance); }
+    // Leaves out the points, which follow from bodies and poses: traces of version 1 had none.
     void take(const ClosestPair& closest) noexcept { take(closest.bodies, closest.distance); }
     void take(const Depth& depth) noexcept { take(depth.depth, depth.a, depth.b, depth.direction); }
     void take(const BodyDepth& pair) noexcept { take(pair.bodies, pair.depth); }
-    void take(const SolidDistance& pair) noexcept { take(pair.bodies, pair.distance); }
+    void take(const PairDistance& pair) noexcept { take(pair.bodies, pair.distance); }
     void take(const BodyAt& at) noexcept { take(at.body, static_cast<std::uint64_t>(at.side)); }
     void take(const BodiesContaining& found) noexcept { take(found.bodies, std::uint64_t{found.skipped_count}); }
     template <class Item>

@@ -19,7 +19,8 @@ template <class First>
 class HalfSpaceTest : public TwoBodyTest {
   public:
     bool answers(Question question) const noexcept override {
-        return question == Question::relation || question == Question::distance || question == Question::within;
+        return question == Question::relation || question == Question::distance || question == Question::within ||
+               question == Question::cast;
     }
     bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         return ecods::intersects(as<First>(a), as<HalfSpace>(b), ask);
@@ -32,6 +33,10 @@ class HalfSpaceTest : public TwoBodyTest {
     }
     bool within(const Posed<Shape>& a, const Posed<Shape>& b, double max_distance, const Ask& ask) const override {
         return ecods::within(as<First>(a), as<HalfSpace>(b), max_distance, ask);
+    }
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
+                                     const Ask& ask) const override {
+        return ecods::cast(as<First>(a), motion, as<HalfSpace>(b), max_time, ask);
     }
 };
 
@@ -47,30 +52,31 @@ class BodyHalfSpaceTest : public HalfSpaceTest<First> {
     }
 };
 
-class MeshHalfSpaceTest final : public BodyHalfSpaceTest<MeshShape> {
+// Adds the casts between poses, which rounded bodies have none of.
+template <class Base, class First>
+class MovingHalfSpaceTest final : public Base {
   public:
     bool answers(Question question) const noexcept override {
-        return BodyHalfSpaceTest::answers(question) || question == Question::cast || question == Question::cast_moving;
-    }
-    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
-                                     const Ask& ask) const override {
-        return ecods::cast(as<MeshShape>(a), motion, as<HalfSpace>(b), max_time, ask);
+        return Base::answers(question) || question == Question::cast_moving;
     }
     std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
                                             const Ask& ask) const override {
-        return ecods::cast(as<MeshShape>(a), as<HalfSpace>(b), max_time, ask);
+        return ecods::cast(as<First>(a), as<HalfSpace>(b), max_time, ask);
     }
 };
+
+using MeshHalfSpaceTest = MovingHalfSpaceTest<BodyHalfSpaceTest<MeshShape>, MeshShape>;
+using TwoHalfSpacesTest = MovingHalfSpaceTest<HalfSpaceTest<HalfSpace>, HalfSpace>;
 
 }  // namespace
 
 void add_half_space_tests(TwoBodyTests& tests) {
     constexpr ShapeKind half_space = ShapeKind::half_space();
     const auto of_rounded = std::make_shared<const BodyHalfSpaceTest<Rounded>>();
-    tests.set(ShapeKind::mesh(), half_space, std::make_shared<const MeshHalfSpaceTest>());
-    tests.set(ShapeKind::rounded(), half_space, of_rounded);
-    tests.set(ShapeKind::rounded_convex(), half_space, of_rounded);
-    tests.set(half_space, half_space, std::make_shared<const HalfSpaceTest<HalfSpace>>());
+    tests.set_with_signs(ShapeKind::mesh(), half_space, std::make_shared<const MeshHalfSpaceTest>());
+    tests.set_with_signs(ShapeKind::rounded(), half_space, of_rounded);
+    tests.set_with_signs(ShapeKind::rounded_convex(), half_space, of_rounded);
+    tests.set(half_space, half_space, std::make_shared<const TwoHalfSpacesTest>());
 }
 
 }  // namespace ecods

@@ -9,17 +9,18 @@
 
 namespace ecods {
 
-// Least keeps the candidate with the least number: a distance or a time, which is a real number >= 0. A candidate can
-// compute its number rounded to a double, and can decide whether the unrounded number is at most a given double. `Name`
-// is the id of a candidate (a body or a pair); among equal rounded numbers the least name wins. Numbers are stored as
-// integer keys, because a processor that flushes subnormal numbers compares them as equal to zero.
+// Least keeps the candidate with the least number: a distance or a time. Distances may be signed; other numbers are >=
+// 0. A candidate can compute its number rounded to a double, and can decide whether the unrounded number is at most a
+// given double >= 0. `Name` is the id of a candidate (a body or a pair); among equal rounded numbers the least name
+// wins. Numbers are stored as integer keys, because a processor that flushes subnormal numbers compares them as equal
+// to zero.
 template <class Name>
 class Least {
   public:
     explicit Least(double limit) noexcept : limit_(key_of(limit)) {}
 
-    // Returns an upper bound of the unrounded number that a candidate with this name must have to win; nullopt if the
-    // candidate cannot win.
+    // Returns an upper bound of the unrounded number that a candidate with this name must have to win; nullopt if only
+    // a negative number can win.
     //
     // Let m be the least rounded number so far. A candidate with rounded number r wins if r < m, or if r = m and its
     // name is less. In the first case its unrounded number is at most m. In the second case it is at most the double
@@ -28,8 +29,16 @@ class Least {
     std::optional<double> reach(const Name& name) const noexcept {
         if (!has_name_) return double_of(limit_);
         const bool wins_ties = name < name_;
-        if (number_ == 0 && !wins_ties) return std::nullopt;
+        if (number_ < 0 || (number_ == 0 && !wins_ties)) return std::nullopt;
         return double_of(wins_ties && number_ > 0 ? std::min(limit_, number_ + 1) : number_);
+    }
+
+    // True if a candidate with this name may win whose unrounded number is at least `lower`. Rounded, that number is at
+    // least `lower`, too.
+    bool may_win(const Name& name, double lower) const noexcept {
+        const std::int64_t key = key_of(lower);
+        if (!has_name_) return key <= limit_;
+        return key < number_ || (key == number_ && name < name_);
     }
 
     // Offers a candidate whose unrounded number is within reach(name). Returns true if the candidate becomes the least

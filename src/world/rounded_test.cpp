@@ -6,16 +6,9 @@
 namespace ecods {
 namespace {
 
-CoreAndRadius body_of(const Posed<Shape>& posed) {
-    if (posed.what->kind() == ShapeKind::mesh()) {
-        return Posed<MeshShape>(static_cast<const MeshShape&>(*posed.what), posed.pose);
-    }
-    return Posed<Rounded>(static_cast<const Rounded&>(*posed.what), posed.pose);
-}
-
 // Answers questions about two shapes, each a rounded one or a mesh, in the order in which they are given: so ties are
-// broken by ids, and not by kinds. If a core is not convex, it does not answer
-// `relation`, since a relation may then be undecided (rounded.hpp).
+// broken by ids, and not by kinds. If a core is not convex, it does not answer `relation`, since a relation may then be
+// undecided (rounded.hpp).
 class RoundedTest final : public TwoBodyTest {
   public:
     explicit RoundedTest(bool relates) : relates_(relates) {}
@@ -25,6 +18,7 @@ class RoundedTest final : public TwoBodyTest {
             case Question::distance:
             case Question::within:
             case Question::closest:
+            case Question::cast:
                 return true;
             case Question::relation:
                 return relates_;
@@ -48,24 +42,37 @@ class RoundedTest final : public TwoBodyTest {
     ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         return pair_of(a, b).closest(ask);
     }
+    std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
+                                     const Ask& ask) const override {
+        return pair_of(a, b).cast(motion, max_time, ask);
+    }
 
   private:
-    static RoundedPair pair_of(const Posed<Shape>& a, const Posed<Shape>& b) { return {body_of(a), body_of(b)}; }
+    static RoundedPair pair_of(const Posed<Shape>& a, const Posed<Shape>& b) {
+        return {*core_and_radius(a), *core_and_radius(b)};
+    }
 
     bool relates_;
 };
 
 }  // namespace
 
+std::optional<CoreAndRadius> core_and_radius(const Posed<Shape>& posed) {
+    const ShapeKind kind = posed.what->kind();
+    if (kind == ShapeKind::mesh()) return Posed<MeshShape>(static_cast<const MeshShape&>(*posed.what), posed.pose);
+    if (kind != ShapeKind::rounded() && kind != ShapeKind::rounded_convex()) return std::nullopt;
+    return Posed<Rounded>(static_cast<const Rounded&>(*posed.what), posed.pose);
+}
+
 void add_rounded_tests(TwoBodyTests& tests) {
     constexpr ShapeKind mesh = ShapeKind::mesh(), any = ShapeKind::rounded(), convex = ShapeKind::rounded_convex();
     const auto partial = std::make_shared<const RoundedTest>(false), full = std::make_shared<const RoundedTest>(true);
     constexpr auto either_order = TwoBodyTests::Takes::either_order;
-    tests.set(mesh, any, partial, either_order);
-    tests.set(any, any, partial, either_order);
-    tests.set(convex, any, partial, either_order);
-    tests.set(mesh, convex, full, either_order);
-    tests.set(convex, convex, full, either_order);
+    tests.set_with_signs(mesh, any, partial, either_order);
+    tests.set_with_signs(any, any, partial, either_order);
+    tests.set_with_signs(convex, any, partial, either_order);
+    tests.set_with_signs(mesh, convex, full, either_order);
+    tests.set_with_signs(convex, convex, full, either_order);
 }
 
 }  // namespace ecods

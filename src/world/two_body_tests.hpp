@@ -13,7 +13,8 @@ namespace ecods {
 // Holds the test of two kinds of shape, and says in which order it takes the two.
 struct OrderedTest {
     const TwoBodyTest* test;
-    bool swapped;  // true if the test takes the shape of the second kind first
+    bool swapped;    // true if the test takes the shape of the second kind first
+    bool has_signs;  // true if signed distances of bodies of these kinds agree with the test
 
     // Calls the member function `question` of the test with a and b, in the order that the test takes, and `arguments`.
     template <class Question, class... Arguments>
@@ -22,16 +23,27 @@ struct OrderedTest {
     }
 };
 
+// Returns the closest points with the two bodies exchanged.
+inline ClosestPoints turned(ClosestPoints points) noexcept {
+    std::swap(points.a, points.b);
+    std::swap(points.point_a, points.point_b);
+    return points;
+}
+
 class TwoBodyTests {
   public:
     // A test takes the shapes in the order of its kinds, or in either order.
     enum class Takes : std::uint8_t { first_kind_first, either_order };
     void set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test, Takes takes = Takes::first_kind_first);
+
+    // Sets a test of the library's own, with which signed_distance_of() agrees wherever it gives a distance.
+    void set_with_signs(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test,
+                        Takes takes = Takes::first_kind_first);
     bool has(ShapeKind a, ShapeKind b) const;
 
     // Returns the test of the two kinds. Call only if has(a, b).
     OrderedTest find(ShapeKind a, ShapeKind b) const {
-        if (a == ShapeKind::mesh() && b == ShapeKind::mesh()) return {mesh_mesh_, false};
+        if (a == ShapeKind::mesh() && b == ShapeKind::mesh()) return {mesh_mesh_, false, mesh_mesh_has_signs_};
         return find_in_map(a, b);
     }
 
@@ -40,13 +52,16 @@ class TwoBodyTests {
         std::shared_ptr<const TwoBodyTest> test;
         ShapeKind first;
         Takes takes;
+        bool has_signs = false;
     };
     using Key = std::pair<ShapeKind, ShapeKind>;  // the lesser kind first
     static Key key(ShapeKind a, ShapeKind b) { return a < b ? Key{a, b} : Key{b, a}; }
     OrderedTest find_in_map(ShapeKind a, ShapeKind b) const;
+    void put(Entry entry, ShapeKind second);
 
     std::map<Key, Entry> entries_;
     const TwoBodyTest* mesh_mesh_ = nullptr;  // the most frequent test, found without a search
+    bool mesh_mesh_has_signs_ = false;
 };
 
 }  // namespace ecods

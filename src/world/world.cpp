@@ -15,8 +15,20 @@ void refuse_invalid(const Pose& pose, BodyId body, const ListIndex& index) {
     throw invalid_pose(bad.row, bad.column, bad.value).at(body, index);
 }
 
+namespace {
+
+Aabb box_naming_the_body(const Shape& shape, const Pose& pose, BodyId body) {
+    try {
+        return shape.box(pose);
+    } catch (const SingularPose& error) {
+        throw SingularPose(error.argument, body);
+    }
+}
+
+}  // namespace
+
 Aabb box_for(const Shape& shape, const Pose& pose, BodyId body, const ListIndex& index) {
-    Aabb box = shape.box(pose);
+    const Aabb box = box_naming_the_body(shape, pose, body);
     for (int axis = 0; axis < 3; ++axis) {
         if (box.min[axis] <= box.max[axis]) continue;
         throw invalid_box(shape.kind(), axis, box.min[axis], box.max[axis]).at(body, index);
@@ -45,7 +57,7 @@ void require_own_kind(const Shape& shape) {
 
 World::Impl::Impl(const WorldOptions& options)
     : bodies(options.ids), broad_phase(options.broad_phase), closeness(options.broad_phase), workers(options.executor) {
-    tests.set(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
+    tests.set_with_signs(ShapeKind::mesh(), ShapeKind::mesh(), make_mesh_mesh_test());
     add_half_space_tests(tests);
     add_rounded_tests(tests);
 }

@@ -19,6 +19,7 @@
 #include "world/bodies.hpp"
 #include "world/changes.hpp"
 #include "world/closeness.hpp"
+#include "world/closest_memory.hpp"
 #include "world/mesh_shapes.hpp"
 #include "world/pair_relations.hpp"
 #include "world/pair_verdicts.hpp"
@@ -69,17 +70,31 @@ struct World::Impl {
     }
     Relation relate(ProxyPair pair, QueryMemory& memory) const;  // throws NotSupported
 
-    // Holds pairs of convex solids, in no promised order: all pairs that are not filtered out and whose boxes may be
-    // within `limit` of each other. near_convex_pairs() throws SingularPose.
-    struct NearConvexPairs {
+    // Answer World::closest_pair() and closest_pairs().
+    std::optional<ClosestPair> find_closest(double max_distance, const GroupPair& groups, const Ask& ask) const;
+    std::vector<ClosestPair> find_close(double max_distance, const GroupPair& groups, const Ask& ask) const;
+    // Returns the pairs of these groups that are not filtered out and whose boxes may be within max_distance of each
+    // other.
+    ProxyPairs near_pairs_of(double max_distance, const GroupPair& groups) const;
+
+    // Holds pairs of bodies, in no promised order: pairs that are not filtered out and whose boxes may be within a
+    // limit of each other.
+    struct NearPairs {
         ProxyPairs pairs;
-        std::vector<convex::SolidInMemory> solids;  // by proxy
+        std::vector<convex::SolidInMemory>
+            solids;  // by proxy: those of convex solids at regular poses; others are null
+
+        bool are_convex(const ProxyPair& pair) const noexcept {
+            return solids[pair.a].parts != nullptr && solids[pair.b].parts != nullptr;
+        }
     };
-    NearConvexPairs near_convex_pairs(double limit) const;
-    // Calls find(a, b, memory) for each pair of near_convex_pairs(limit), even if a call throws. `find` returns the
-    // second member of the pair's Answer, or nullopt for no answer. Returns the answers, ascending by pair.
+    // Returns the pairs of convex solids (throws SingularPose), or of all kinds.
+    enum class Kinds : std::uint8_t { convex, all };
+    NearPairs near_pairs(double limit, Kinds kinds) const;
+    // Calls find(pair, memory) for each pair, even if a call throws. `find` returns the second member of the pair's
+    // Answer, or nullopt for no answer. Returns the answers, ascending by pair.
     template <class Answer, class Function>
-    std::vector<Answer> ask_convex_pairs(double limit, const Ask& ask, const Function& find) const;
+    std::vector<Answer> ask_pairs(const NearPairs& near, const Ask& ask, const Function& find) const;
 
     // ---- the steps of an update, in this order
     void update();
@@ -136,12 +151,6 @@ Aabb box_for(const Shape& shape, const Pose& pose, BodyId body = {}, const ListI
 inline void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& index = {}) {
     if (!is_finite(pose)) [[unlikely]]
         refuse_invalid(pose, body, index);
-}
-// Returns the closest points with the two bodies exchanged.
-inline ClosestPoints turned(ClosestPoints points) noexcept {
-    std::swap(points.a, points.b);
-    std::swap(points.point_a, points.point_b);
-    return points;
 }
 void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument for null; NotSupported
 // Throws NotSupported if the kind is one of the library's, but the shape is not.

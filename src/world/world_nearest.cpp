@@ -56,22 +56,4 @@ std::optional<NearestBody> World::nearest(const Asked& asked, double max_distanc
     return body != nullptr && !subject.filter ? w.traced<calls::Nearest>(ask, found, *body, max_distance) : found;
 }
 
-std::optional<ClosestPair> World::closest_pair(double max_distance, const Ask& ask) const {
-    const Impl& w = impl();
-    auto least = least_within<ProxyPair>(max_distance);
-    w.require_answers(Question::within);
-    w.require_answers(Question::distance);
-    Asking asking(ask);
-    w.broad_phase.visit_near_pairs(max_distance, [&](ProxyPair pair) {
-        if (!w.bodies.is_enabled(pair)) return least.bound();
-        const Ask in_memory(asking.memory());
-        return take(
-            least, pair, [&](double d) { return w.ask(pair, &TwoBodyTest::within, d, in_memory); },
-            [&] { return w.ask(pair, &TwoBodyTest::distance, in_memory); });
-    });
-    std::optional<ClosestPair> found;
-    if (least.has_name()) found = ClosestPair{w.bodies.ids_of(least.name()), least.number()};
-    return w.traced<calls::ClosestOfAll>(ask, found, max_distance);
-}
-
 }  // namespace ecods

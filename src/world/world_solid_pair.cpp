@@ -2,10 +2,13 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/double_key.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/contact.hpp"
 #include "ecods/solid.hpp"
+#include "query/patch/convex_body.hpp"
+#include "world/signed_distance_of.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -45,11 +48,10 @@ auto ask_of(const Bodies& bodies, const SubjectPair& pair, const char* form, con
 
 constexpr const char* convex_form = "convex solid";
 
-// Exchanges the features of a Depth or a SignedDistance, and turns its direction around.
-template <class Answer>
-void exchange(Answer& answer) {
-    std::swap(answer.a, answer.b);
-    for (double& x : answer.direction) x = opposite(x);
+// Exchanges the features of a Depth, and turns its direction around.
+void turn(Depth& depth) noexcept {
+    std::swap(depth.a, depth.b);
+    for (double& x : depth.direction) x = opposite(x);
 }
 
 }  // namespace
@@ -57,49 +59,27 @@ void exchange(Answer& answer) {
 std::optional<Depth> World::depth(const Asked& a, const Asked& b, const Ask& ask) const {
     const Impl& w = impl();
     const SubjectPair pair = w.pair_of(a, b, Impl::PairOrder::lesser_id_first);
-    auto depth = ask_of<ConvexSolid>(w.bodies, pair, convex_form, [&](const auto& first, const auto& second) {
-        return ecods::depth(first, second, ask);
-    });
-    if (depth && pair.is_turned) exchange(*depth);
+    std::optional<Depth> depth;
+    if (const auto rounded = as_rounded_pair(pair.a.posed, pair.b.posed)) {
+        depth = naming_the_body(w.bodies, pair, [&] { return rounded->depth(ask); });
+    } else {
+        depth = ask_of<ConvexSolid>(w.bodies, pair, convex_form, [&](const auto& first, const auto& second) {
+            return ecods::depth(first, second, ask);
+        });
+    }
+    if (depth && pair.is_turned) turn(*depth);
     return depth;
 }
-
-namespace {
-
-void turn(SignedDistance& found) {
-    exchange(found);
-    std::swap(found.point_a, found.point_b);
-}
-
-// Returns the signed distance of a body and a half space, in the order of the pair; nullopt if not exactly one of the
-// two is a half space.
-std::optional<SignedDistance> ask_half_space(const SubjectPair& pair, const Ask& ask) {
-    const auto* const first = dynamic_cast<const HalfSpace*>(pair.a.posed.what);
-    const auto* const second = dynamic_cast<const HalfSpace*>(pair.b.posed.what);
-    if ((first == nullptr) == (second == nullptr)) return std::nullopt;
-    const Posed<Shape>&body = first == nullptr ? pair.a.posed : pair.b.posed,
-          &other = first == nullptr ? pair.b.posed : pair.a.posed;
-    const Posed<HalfSpace> half_space(first == nullptr ? *second : *first, other.pose);
-    std::optional<SignedDistance> found;
-    try {
-        if (const auto* const mesh = dynamic_cast<const MeshShape*>(body.what)) {
-            found = ecods::signed_distance(Posed<MeshShape>(*mesh, body.pose), half_space, ask);
-        } else if (const auto* const rounded = dynamic_cast<const Rounded*>(body.what)) {
-            found = ecods::signed_distance(Posed<Rounded>(*rounded, body.pose), half_space, ask);
-        }
-    } catch (const SingularPose&) {
-        throw SingularPose(first == nullptr ? 1 : 0);  // the half space is the pair's first or second
-    }
-    if (found && first != nullptr) turn(*found);
-    return found;
-}
-
-}  // namespace
 
 SignedDistance World::signed_distance(const Asked& a, const Asked& b, const Ask& ask) const {
     const Impl& w = impl();
     const SubjectPair pair = w.pair_of(a, b, Impl::PairOrder::lesser_id_first);
-    auto found = naming_the_body(w.bodies, pair, [&] { return ask_half_space(pair, ask); });
+    auto found = naming_the_body(w.bodies, pair, [&] { return signed_distance_of(pair.a.posed, pair.b.posed, ask); });
+    if (!found) {
+        if (const auto rounded = as_rounded_pair(pair.a.posed, pair.b.posed)) {
+            found = naming_the_body(w.bodies, pair, [&] { return rounded->signed_distance(ask); });
+        }
+    }
     if (!found) {
         found = ask_of<ConvexSolid>(w.bodies, pair, convex_form, [&](const auto& first, const auto& second) {
             return ecods::signed_distance(first, second, ask);
@@ -114,6 +94,24 @@ std::optional<DepthBounds> World::depth_bounds(const Asked& a, const Asked& b, c
     return ask_of<Solid>(w.bodies, w.pair_of(a, b), "solid", [&](const auto& first, const auto& second) {
         return ecods::depth_bounds(first, second, ask);
     });
+}
+
+ContactPatch World::contact_patch(const Asked& a, const Asked& b, const PatchLimits& limits, const Ask& ask) const {
+    const Impl& w = impl();
+    const SubjectPair pair = w.pair_of(a, b);
+    return naming_the_body(w.bodies, pair,
+                           [&] { return ecods::contact_patch(pair.a.posed, pair.b.posed, limits, ask); });
+}
+
+std::vector<BodyPatch> World::contact_patches(const PatchLimits& limits, const Ask& ask) const {
+    std::vector<BodyPatch> result;
+    for (const BodyPair& bodies : colliding_pairs()) {
+        if (!is_alive(bodies.a) || !is_alive(bodies.b)) continue;  // destroyed since the last update
+        const SubjectPair pair = impl().pair_of(bodies.a, bodies.b);
+        if (!patches::have_patch(*pair.a.posed.what, *pair.b.posed.what)) continue;
+        result.push_back({bodies, contact_patch(bodies.a, bodies.b, limits, ask)});
+    }
+    return result;
 }
 
 }  // namespace ecods

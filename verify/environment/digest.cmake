@@ -5,7 +5,7 @@
 function(ecods_exact_layer result)
   set(sources ${ARGN})
   list(FILTER sources INCLUDE REGEX
-       "^(base/(error|number_text)|geometry/(mesh|pose|scaled_line)|exact/.*|simd/.*|\
+       "^(base/(error|ids|number_text)|geometry/(mesh|pose|scaled_line)|exact/.*|simd/.*|\
 query/(intersection/(plane_signs|triangle_relations)|distance/triangle_.*|hit/triangle_hits|cast/triangle_contacts))\\.cpp$")
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()

@@ -155,7 +155,11 @@ std::optional<Wrong> ConvexTruth::ask_bounds(QueryMemory& memory) const {
     if (std::isfinite(bounds.upper) && oracle::compare_distance(bounds.parted, b.pose.t, bounds.upper) > 0) {
         return Wrong{"depth_bounds", "at least the length of its translation", got};
     }
-    if (oracle::solid_relation(soup(a), soup(moved)) > Relation::touching) {
+    if (a.what->dimension() < 3 || b.what->dimension() < 3) {
+        const auto deep = oracle::ConvexPair(a.what->mesh(), a.pose, b.what->mesh(), moved.pose).depth();
+        if (deep && !deep->depth.is_zero())
+            return Wrong{"depth_bounds", "a translation to which a plane parts them", got};
+    } else if (oracle::solid_relation(soup(a), soup(moved)) > Relation::touching) {
         return Wrong{"depth_bounds", "a translation that parts them", got};
     }
     return std::nullopt;

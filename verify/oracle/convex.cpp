@@ -14,6 +14,16 @@ namespace {
 
 using Point = Vector<mpz_class>;
 
+// A positive multiple of the vector from the first point to the second.
+Point between(const ExactClosest& closest) {
+    Point way;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const ExactFraction &p = closest.point_a.x[k], &q = closest.point_b.x[k];
+        way[k] = q.num * p.den - p.num * q.den;
+    }
+    return way;
+}
+
 }  // namespace
 
 struct ConvexPair::Impl {
@@ -21,6 +31,7 @@ struct ConvexPair::Impl {
     ConvexBodies bodies;
     std::vector<DifferenceFacet> facets;
     std::vector<const DifferenceFacet*> nearest;  // that tie
+    bool is_apart = false;
 
     Impl(const std::array<const Mesh*, 2>& meshes, const std::array<Pose, 2>& poses)
         : bodies(meshes, poses), facets(difference_facets(bodies)) {
@@ -29,7 +40,19 @@ struct ConvexPair::Impl {
             if (order < 0) nearest.clear();
             if (order <= 0) nearest.push_back(&facet);
         }
+        is_apart = sgn(nearest.front()->height) < 0 || (normal_of_flat_difference(bodies) && is_parted_by_closest());
         environment.reset();  // the caller's again
+    }
+
+    // Whether the vector between the closest points of all pairs of features has one body before the other. If the
+    // bodies share a point, no vector does; otherwise that one.
+    bool is_parted_by_closest() const {
+        const Point way = between(closest_features(bodies));
+        Point back = way;
+        for (mpz_class& x : back) x = -x;
+        const auto& [a, b] = bodies.exact;
+        const Point &p = a.vertices[furthest(a, way).front()], &q = b.vertices[furthest(b, back).front()];
+        return sgn(dot(way, Point(q - p))) > 0;
     }
 
     // The product of s with a normal, in units of the facets' heights.
@@ -46,7 +69,7 @@ ConvexPair::ConvexPair(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_
 ConvexPair::~ConvexPair() = default;
 
 bool ConvexPair::share_a_point() const {
-    return sgn(impl_->nearest.front()->height) >= 0;
+    return !impl_->is_apart;
 }
 
 ExactRoot ConvexPair::distance() const {
@@ -82,13 +105,7 @@ std::optional<ExactClosest> ConvexPair::deepest() const {
 // The difference of the closest points.
 std::optional<ExactDirection> ConvexPair::direction() const {
     const auto found = closest();
-    if (!found) return std::nullopt;
-    ExactDirection direction;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const ExactFraction &p = found->point_a.x[k], &q = found->point_b.x[k];
-        direction.v[k] = q.num * p.den - p.num * q.den;
-    }
-    return direction;
+    return found ? std::optional(ExactDirection{between(*found)}) : std::nullopt;
 }
 
 // Faces of both solids may have one normal.
@@ -154,7 +171,16 @@ std::optional<HullPlane> hull_plane(const std::vector<Point>& points, const std:
     if (side > 0) {
         for (mpz_class& x : plane.normal) x = -x;
     }
-    return side == 0 ? std::nullopt : std::optional(plane);
+    return plane;
+}
+
+// Turned so that the first coordinate of the normal that is not zero is positive.
+HullPlane turned_up(HullPlane plane) {
+    const auto first = std::ranges::find_if(plane.normal, [](const mpz_class& x) { return sgn(x) != 0; });
+    if (sgn(*first) < 0) {
+        for (mpz_class& x : plane.normal) x = -x;
+    }
+    return plane;
 }
 
 // Whether a point of a plane is a convex combination of others of it: it is on no line that has the rest on one side
@@ -200,11 +226,22 @@ std::optional<HullOfPoints> hull_of(std::span<const Vec3> given) {
     for (std::uint32_t i = 0; i < count; ++i) {
         for (std::uint32_t j = i + 1; j < count; ++j) {
             for (std::uint32_t k = j + 1; k < count; ++k) {
-                if (const auto plane = hull_plane(points, {i, j, k})) faces.insert(corners_of(*plane, points));
+                const auto plane = hull_plane(points, {i, j, k});
+                if (!plane) continue;
+                const bool is_flat = plane->points.size() == points.size();
+                faces.insert(corners_of(is_flat ? turned_up(*plane) : *plane, points));
             }
         }
     }
-    if (faces.empty()) return std::nullopt;
+    if (points.empty()) return std::nullopt;
+    if (faces.empty()) {
+        // A segment or a point.
+        const auto [low, high] = std::ranges::minmax_element(points);
+        const auto from = static_cast<std::uint32_t>(low - points.begin()),
+                   to = static_cast<std::uint32_t>(high - points.begin());
+        if (from == to) return HullOfPoints{{index[from]}, {{0, 0, 0}}};
+        return HullOfPoints{{index[std::min(from, to)], index[std::max(from, to)]}, {{0, 1, 1}}};
+    }
     std::set<std::uint32_t> used;
     for (const auto& face : faces) used.insert(face.begin(), face.end());
     HullOfPoints hull;

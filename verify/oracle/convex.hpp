@@ -28,7 +28,8 @@ struct ExactDepth {
     ExactDirection normal;
 };
 
-// Two posed meshes that bound convex solids, under regular poses.
+// Two posed meshes that bound convex solids or cover flat convex sets, under regular poses. Flat sets whose differences
+// are in no plane are as solids are; of others, the depth is 0 along that plane's normal.
 class ConvexPair {
   public:
     ConvexPair(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b);
@@ -63,8 +64,8 @@ class ConvexPair {
 // The sign of the distance of two points less d >= 0, which is finite.
 int compare_distance(const Vec3& p, const Vec3& q, double d);
 
-// The hull as include/ecods/shape.hpp has it: its vertices as indices of the points, and its triangles; nothing if all
-// points lie in one plane. Every plane through three points is tried.
+// The hull as include/ecods/shape.hpp has it: its vertices as indices of the points, and its triangles; nothing if
+// there are no points. Every plane through three points is tried.
 struct HullOfPoints {
     std::vector<std::uint32_t> points;
     std::vector<Triangle> triangles;

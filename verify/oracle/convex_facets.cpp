@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "oracle/integer_points.hpp"
@@ -27,13 +28,13 @@ ConvexBody<N> body_of(const ConvexFeatures& features, const std::vector<Vector<N
     return body;
 }
 
-// Whether the face's corners are clockwise, seen from outside: some vertex is above it.
+// Whether the face's corners are clockwise, seen from outside: some vertex is above it. Of a polygon they are not.
 bool is_turned_in(const ConvexBody<mpz_class>& body, const ConvexBody<mpz_class>::Face& face) {
     for (const Point& p : body.vertices) {
         const int sign = sgn(dot(face.normal, Point(p - face.corners[0])));
         if (sign != 0) return sign > 0;
     }
-    throw std::logic_error("a solid in one plane");
+    return false;
 }
 
 template <class N>
@@ -117,18 +118,90 @@ int DifferenceFacet::compare(const DifferenceFacet& other) const {
     return sign * cmp(own, others);
 }
 
+namespace {
+
+Point negative(Point v) {
+    for (mpz_class& x : v) x = -x;
+    return v;
+}
+
+// The first product of a vector and an axis that is not zero.
+Point across(const Point& u) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        Point axis;
+        axis[k] = 1;
+        if (Point n = cross(u, axis); sgn(square_of(n)) != 0) return n;
+    }
+    throw std::logic_error("an edge without length");
+}
+
+// Both normals of a polygon: first the one along which the other body has the first feature.
+std::array<Point, 2> normals_of_polygon(const ConvexBodies& bodies, std::size_t side) {
+    const Point& n = bodies.exact[side].faces[0].normal;
+    const std::size_t other = 1 - side;
+    const auto feature = [&](const Point& along) {
+        const NamedFeature& name = bodies.features[other].name_of(furthest(bodies.exact[other], along));
+        return std::tuple(name.dimension, name.triangle, name.corner);
+    };
+    // The other body lies against the first one's normal.
+    if (feature(negative(n)) <= feature(n)) return {n, negative(n)};
+    return {negative(n), n};
+}
+
+void add_face_normals(const ConvexBodies& bodies, std::size_t side, std::vector<DifferenceFacet>& facets) {
+    using Kind = DifferenceFacet::Kind;
+    const ConvexBody<mpz_class>& body = bodies.exact[side];
+    const auto add = [&](std::uint32_t f, const Point& out) {
+        if (side == 0) facets.push_back(make_facet(Kind::face_of_a, f, 0, out, bodies));
+        if (side == 1) facets.push_back(make_facet(Kind::face_of_b, 0, f, negative(out), bodies));
+    };
+    if (body.is_flat() && !body.faces.empty()) {
+        for (const Point& out : normals_of_polygon(bodies, side)) add(0, out);
+        return;
+    }
+    for (std::uint32_t f = 0; f < body.faces.size(); ++f) add(f, body.faces[f].normal);
+}
+
+}  // namespace
+
+// Tries all triples of differences from the first vertices.
+std::optional<Point> normal_of_flat_difference(const ConvexBodies& bodies) {
+    if (!bodies.exact[0].is_flat() || !bodies.exact[1].is_flat()) return std::nullopt;
+    std::vector<Point> ways;
+    for (const auto& body : bodies.exact) {
+        for (const Point& p : body.vertices) ways.push_back(p - body.vertices[0]);
+    }
+    for (const Point& u : ways) {
+        for (const Point& v : ways) {
+            const Point n = cross(u, v);
+            if (std::ranges::any_of(ways, [&](const Point& w) { return sgn(dot(n, w)) != 0; })) return std::nullopt;
+        }
+    }
+    for (const auto& body : bodies.exact) {
+        if (!body.faces.empty()) return body.faces[0].normal;
+    }
+    std::optional<Point> edge;
+    for (const auto& body : bodies.exact) {
+        if (body.edges.empty()) continue;
+        const Point& way = body.edges[0].edge[0];
+        if (edge && sgn(square_of(cross(*edge, way))) != 0) return cross(*edge, way);
+        if (!edge) edge = way;
+    }
+    return edge ? across(*edge) : Point{1, 0, 0};
+}
+
 std::vector<DifferenceFacet> difference_facets(const ConvexBodies& bodies) {
     using Kind = DifferenceFacet::Kind;
     const auto& [a, b] = bodies.exact;
     std::vector<DifferenceFacet> facets;
-    for (std::uint32_t f = 0; f < a.faces.size(); ++f) {
-        facets.push_back(make_facet(Kind::face_of_a, f, 0, a.faces[f].normal, bodies));
+    if (const auto n = normal_of_flat_difference(bodies)) {
+        for (const Point& normal : {*n, negative(*n)}) {
+            facets.push_back(make_facet(Kind::edges, 0, 0, normal, bodies));
+        }
+        return facets;
     }
-    for (std::uint32_t f = 0; f < b.faces.size(); ++f) {
-        Point inwards = b.faces[f].normal;
-        for (mpz_class& x : inwards) x = -x;
-        facets.push_back(make_facet(Kind::face_of_b, 0, f, inwards, bodies));
-    }
+    add_face_normals(bodies, 0, facets);
+    add_face_normals(bodies, 1, facets);
     for (std::uint32_t i = 0; i < a.edges.size(); ++i) {
         for (std::uint32_t j = 0; j < b.edges.size(); ++j) {
             const Vector<Interval> around = cross(bodies.around[0].edges[i].edge[0], bodies.around[1].edges[j].edge[0]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "oracle/convex.hpp"
@@ -18,7 +19,9 @@ struct ConvexBody {
         Vector<N> normal;
         std::vector<Vector<N>> corners;  // counterclockwise around the normal
     };
-    std::vector<Face> faces;  // normals outwards
+    std::vector<Face> faces;  // normals outwards; of a polygon the one face, as its first triangle turns
+
+    bool is_flat() const { return faces.size() < 2; }
 };
 
 struct ConvexBodies {
@@ -44,7 +47,11 @@ struct DifferenceFacet {
     int compare(const DifferenceFacet& other) const;
 };
 
-// In the order in which ties are broken. Needs a FloatEnvironment.
+// The normal along which the depth is 0 if all of the difference is in one plane, as results.hpp has it; else nothing.
+std::optional<Vector<mpz_class>> normal_of_flat_difference(const ConvexBodies& bodies);
+
+// In the order in which ties are broken. If all of the difference is in one plane, only its two normals. Needs a
+// FloatEnvironment.
 std::vector<DifferenceFacet> difference_facets(const ConvexBodies& bodies);
 
 // The vertices of the body that are furthest along the vector, ascending.

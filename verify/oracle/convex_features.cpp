@@ -22,7 +22,8 @@ bool is_zero(const Point& v) {
     return std::ranges::all_of(v, [](const mpz_class& x) { return sgn(x) == 0; });
 }
 
-// The points of the mesh, each once, and its triangles of positive area by these points.
+// The points of the mesh, each once, and its triangles of positive area by these points; all triangles if none has an
+// area.
 struct PointSet {
     std::vector<Point> points;
     std::vector<std::uint32_t> in_mesh;
@@ -31,15 +32,20 @@ struct PointSet {
         std::array<std::uint32_t, 3> points;
     };
     std::vector<Corners> triangles;
+    bool have_area = false;
 
     explicit PointSet(const Mesh& mesh) {
         const Soup soup{mesh.vertices(), mesh.triangles(), Pose()};
         const CommonIntegers integers({&soup, 1});
         const std::vector<Point>& all = integers.points.front();
         std::map<std::array<double, 3>, std::uint32_t> known;
+        const auto has_area = [&](const Triangle& c) {
+            return !is_zero(cross(Point(all[c[1]] - all[c[0]]), Point(all[c[2]] - all[c[0]])));
+        };
+        have_area = std::ranges::any_of(mesh.triangles(), has_area);
         for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
             const Triangle& c = mesh.triangles()[t];
-            if (is_zero(cross(Point(all[c[1]] - all[c[0]]), Point(all[c[2]] - all[c[0]])))) continue;
+            if (have_area && !has_area(c)) continue;
             Corners corners{t, {}};
             for (std::size_t i = 0; i < 3; ++i) {
                 std::array<double, 3> key{};
@@ -64,6 +70,8 @@ struct FacePlane {
     std::uint32_t triangle = 0;  // the least in it
     Point normal;
     std::vector<bool> holds;  // by point
+
+    bool holds_everything() const { return std::ranges::find(holds, false) == holds.end(); }
 
     bool holds_all(const std::array<std::uint32_t, 3>& points) const {
         return std::ranges::all_of(points, [&](std::uint32_t p) { return holds[p]; });
@@ -141,6 +149,77 @@ std::vector<std::uint32_t> cycle(std::vector<std::array<std::uint32_t, 2>> sides
 
 }  // namespace
 
+namespace {
+
+// Whether the way from p to q is a side of the polygon: everything is left of it, around the normal, or on it.
+bool is_side(const PointSet& set, std::uint32_t p, std::uint32_t q, const Point& normal) {
+    if (p == q) return false;
+    const Point way = set.points[q] - set.points[p];
+    return std::ranges::all_of(set.points, [&](const Point& x) {
+        const Point to = x - set.points[p];
+        const mpz_class along = dot(way, to);
+        const int turn = sgn(dot(normal, cross(way, to)));
+        return turn > 0 || (turn == 0 && sgn(along) >= 0 && along <= square_of(way));
+    });
+}
+
+// The least side of a triangle of which both ends are on the line of two points, and are not one point.
+NamedFeature side_on_line(const PointSet& set, std::uint32_t a, std::uint32_t b) {
+    const Point way = set.points[b] - set.points[a];
+    const auto is_on = [&](std::uint32_t p) { return is_zero(cross(way, Point(set.points[p] - set.points[a]))); };
+    for (const auto& t : set.triangles) {
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            const std::uint32_t p = t.points[c], q = t.points[(c + 1) % 3];
+            if (p != q && is_on(p) && is_on(q)) return {1, t.triangle, c};
+        }
+    }
+    throw std::logic_error("an edge of a flat set without a side of a triangle");
+}
+
+// Of a mesh that covers a polygon, a segment or a point. The polygon goes around as its first triangle.
+ConvexFeatures flat_features(const PointSet& set) {
+    ConvexFeatures features;
+    std::map<std::uint32_t, std::uint32_t> next;  // by point: the other end of a side
+    const auto count = static_cast<std::uint32_t>(set.points.size());
+    if (set.have_area) {
+        const auto& first = set.triangles.front().points;
+        const Point normal = cross(Point(set.points[first[1]] - set.points[first[0]]),
+                                   Point(set.points[first[2]] - set.points[first[0]]));
+        for (std::uint32_t p = 0; p < count; ++p) {
+            for (std::uint32_t q = 0; q < count; ++q) {
+                if (is_side(set, p, q, normal)) next[p] = q;
+            }
+        }
+    } else {
+        const auto [low, high] = std::ranges::minmax_element(set.points);
+        const auto from = static_cast<std::uint32_t>(low - set.points.begin()),
+                   to = static_cast<std::uint32_t>(high - set.points.begin());
+        next[from] = to;
+        next.try_emplace(to, to);
+    }
+    for (const auto& [p, q] : next) features.vertices.push_back({vertex_name(set, p), p});
+    sort_by_name(features.vertices);
+    std::map<std::uint32_t, std::uint32_t> vertex_of;
+    for (std::uint32_t v = 0; v < features.vertices.size(); ++v) vertex_of[features.vertices[v].in_mesh] = v;
+    for (const auto& [p, q] : next) {
+        const std::uint32_t v = vertex_of[p], w = vertex_of[q];
+        if (v != w) features.edges.push_back({side_on_line(set, p, q), {std::min(v, w), std::max(v, w)}});
+    }
+    sort_by_name(features.edges);
+    if (set.have_area) {
+        ConvexFeatures::Face face{{2, set.triangles.front().triangle, 0}, {}};
+        const std::uint32_t start = next.begin()->first;
+        for (std::uint32_t p = start; face.corners.empty() || p != start; p = next[p]) {
+            face.corners.push_back(vertex_of[p]);
+        }
+        features.faces.push_back(std::move(face));
+    }
+    for (auto& vertex : features.vertices) vertex.in_mesh = set.in_mesh[vertex.in_mesh];
+    return features;
+}
+
+}  // namespace
+
 const NamedFeature& ConvexFeatures::name_of(const std::vector<std::uint32_t>& corners) const {
     if (corners.size() == 1) return vertices[corners.front()].name;
     if (corners.size() == 2) {
@@ -161,11 +240,13 @@ std::optional<ConvexFeatures> convex_features(const Mesh& mesh) {
     if (set.triangles.empty()) return std::nullopt;
     std::vector<FacePlane> planes;
     for (const auto& t : set.triangles) {
+        if (!set.have_area) break;
         if (std::ranges::any_of(planes, [&](const FacePlane& plane) { return plane.holds_all(t.points); })) continue;
         auto plane = face_plane(set, t);
         if (!plane) return std::nullopt;
         planes.push_back(std::move(*plane));
     }
+    if (!set.have_area || (planes.size() == 1 && planes.front().holds_everything())) return flat_features(set);
     ConvexFeatures features;
     for (std::uint32_t p = 0; p < set.points.size(); ++p) {
         if (is_extreme(p, planes)) features.vertices.push_back({vertex_name(set, p), p});

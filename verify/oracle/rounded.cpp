@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 namespace ecods::oracle {
 namespace {
@@ -14,7 +15,8 @@ mpq_class times_power(const mpz_class& num, const mpz_class& den, long exponent)
     return result;
 }
 
-// Without the processor's conversion, which may take a subnormal number for zero.
+}  // namespace
+
 mpq_class exactly(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const std::uint64_t biased = bits >> 52 & 0x7ff, low = bits & 0xfffffffffffff;
@@ -24,14 +26,11 @@ mpq_class exactly(double x) {
     return bits >> 63 != 0 ? mpq_class(-result) : result;
 }
 
-// The middle of the double of these bits and the next one; of the largest double and 2^1024.
 mpq_class middle_above(std::uint64_t bits) {
     const mpq_class x = exactly(std::bit_cast<double>(bits));
     const std::uint64_t exponent = bits >> 52;
     return x + times_power(1, 1, static_cast<long>(exponent == 0 ? 1 : exponent) - 1076);
 }
-
-}  // namespace
 
 int FractionAndRoot::sign() const {
     const int of_fraction = sgn(fraction), of_root = sgn(square) == 0 ? 0 : sgn(factor);
@@ -76,6 +75,67 @@ double RoundedDistance::distance() const {
     if (compare(0) <= 0) return 0;
     const double rounded = nearest(FractionAndRoot{-(radius_[0] + radius_[1]), 1, square_});
     return std::bit_cast<std::uint64_t>(rounded) == 0 ? std::bit_cast<double>(std::uint64_t{1}) : rounded;
+}
+
+namespace {
+
+// nearest(), but no number other than 0 becomes a zero.
+double nearest_signed(const FractionAndRoot& number) {
+    const double rounded = nearest(number);
+    const int sign = number.sign();
+    if (std::bit_cast<std::uint64_t>(rounded) != 0 || sign == 0) return rounded;
+    return std::bit_cast<double>(std::uint64_t{1} | (sign < 0 ? std::uint64_t{1} << 63 : 0));
+}
+
+}  // namespace
+
+double RoundedDistance::signed_distance(bool inside) const {
+    const mpq_class radii = radius_[0] + radius_[1];
+    return nearest_signed(inside ? FractionAndRoot{-radii, -1, square_} : FractionAndRoot{-radii, 1, square_});
+}
+
+Points posed_points(const Mesh& mesh, const Pose& pose) {
+    Points points;
+    for (const Vec3& v : mesh.vertices()) {
+        Vector<mpq_class>& point = points.emplace_back();
+        for (Eigen::Index row = 0; row < 3; ++row) {
+            mpq_class& x = point[static_cast<std::size_t>(row)];
+            x = exactly(pose.t[row]);
+            for (Eigen::Index k = 0; k < 3; ++k) x += exactly(pose.R(row, k)) * exactly(v[k]);
+        }
+    }
+    return points;
+}
+
+mpq_class squared_depth(const Points& a, const Points& b) {
+    Points all;
+    for (const auto& p : a) {
+        for (const auto& q : b) all.push_back(p - q);
+    }
+    std::optional<mpq_class> least;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t j = i + 1; j < all.size(); ++j) {
+            for (std::size_t k = j + 1; k < all.size(); ++k) {
+                const auto n = cross(Vector<mpq_class>(all[j] - all[i]), Vector<mpq_class>(all[k] - all[i]));
+                const mpq_class square = dot(n, n), height = dot(n, all[i]);
+                if (sgn(square) == 0) continue;
+                const mpq_class distance = height * height / square;
+                if (least && distance >= *least) continue;
+                bool has_before = false, has_beyond = false;
+                for (const auto& point : all) {
+                    const int side = cmp(mpq_class(dot(n, point)), height);
+                    has_before = has_before || side < 0;
+                    has_beyond = has_beyond || side > 0;
+                }
+                if (!has_before || !has_beyond) least = distance;
+            }
+        }
+    }
+    return least.value_or(0);
+}
+
+double minus_depth(const mpq_class& squared_depth, double radius_a, double radius_b) {
+    return nearest_signed({-(exactly(radius_a) + exactly(radius_b)), -1, squared_depth});
 }
 
 Vec3 RoundedDistance::point(std::size_t body) const {

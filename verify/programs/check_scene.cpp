@@ -125,12 +125,18 @@ FrameAnswer SceneWorld::answer() {
     return answer;
 }
 
+bool SceneWorld::is_convex(BodyId body) const {
+    return dynamic_cast<const ConvexSolid*>(world_.shape(body).get()) != nullptr;
+}
+
 void SceneWorld::find_depths(FrameAnswer& answer) {
     for (const BodyDepth& pair : world_.depths()) {
         answer.depths.push_back({body_of(pair.bodies.a), body_of(pair.bodies.b), pair.depth});
     }
-    for (const SolidDistance& pair : world_.solid_distances(World::no_limit)) {
-        if (pair.distance > 0) answer.gaps.push_back({body_of(pair.bodies.a), body_of(pair.bodies.b), pair.distance});
+    for (const PairDistance& pair : world_.signed_distances(World::no_limit)) {
+        const bool are_convex = is_convex(pair.bodies.a) && is_convex(pair.bodies.b);
+        if (pair.distance > 0 && are_convex)
+            answer.gaps.push_back({body_of(pair.bodies.a), body_of(pair.bodies.b), pair.distance});
     }
 }
 

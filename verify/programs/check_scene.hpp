@@ -121,6 +121,7 @@ class SceneWorld {
     std::vector<MeetingAnswer> casts();
     std::vector<HitAnswer> hits();
     std::vector<std::shared_ptr<const MeshShape>> make_shapes();
+    bool is_convex(BodyId body) const;
     void find_depths(FrameAnswer& answer);
 
     const scenes::Scene& scene_;

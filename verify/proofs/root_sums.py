@@ -1,8 +1,8 @@
-"""Sums of a rational number and a root, and distances of segments: src/exact/measure/round/round_root_sum.cpp and
-src/query/body/segment_filter.cpp.
+"""Sums of a rational number and a root, distances of segments, and places of moving bodies:
+src/exact/measure/round/round_root_sum.cpp, src/query/body/segment_filter.cpp, near_pairs.cpp and rounded_hit.cpp.
 
-Proved: the digits of a sum are off by less than 2^35 of their units; the bounds of a segments' distance cover all
-roundings, in any rounding mode."""
+Proved: the digits of a sum are off by less than 2^35 of their units; the bounds of a segments' distance, and of places
+and their distances, cover all roundings, in any rounding mode."""
 from rounding import *
 
 SUM, FILTER = "src/exact/measure/round/round_root_sum.cpp", "src/query/body/segment_filter.cpp"
@@ -35,4 +35,13 @@ claim((1 - U) ** 7 * (1 + up * U) >= 1, "the error of a gap")
 claim((1 - U) ** 3 * (1 - U) ** 4 * (1 + up * U) ** 2 >= 1, "a sum times a length, rounded up")
 claim((1 + U) ** 2 * (1 - down * U) <= 1, "a gap, rounded down")
 claim(number(FILTER, r"root_of_3 = ([\d.]+),") ** 2 >= 3, "the root of 3")
+
+# Places of moving bodies: terms go through three roundings, times are off by 4 u', the sum of magnitudes by seven.
+NEAR, HIT = "src/query/body/near_pairs.cpp", "src/query/body/rounded_hit.cpp"
+of_place = (1 + U) ** 3 * (1 + 4 * U) - 1
+claim(of_place <= number(NEAR, r"step, (\d+) \* two_u \* size") * U * (1 - U) ** 7, "a place on a line")
+claim(of_place <= number(NEAR, r"\{pose\.t, (\d+) \* two_u") * U * (1 - U) ** 7, "a place on a way")
+claim((1 - U) ** 3 * (1 + number(NEAR, r"d \* \(1 \+ (\d+) \* two_u\)") * U) >= 1, "a sum of three numbers, rounded up")
+claim((1 - U) ** 5 * (1 + number(NEAR, r"half \* \(1 \+ (\d+) \* two_u\)") * U) >= 1, "a reach, rounded up")
+claim((1 - U) ** 5 * (1 + number(HIT, r"speed \* \(1 \+ (\d+) \* two_u\)") * U) >= 1, "the end of a line in a box")
 end()

@@ -66,6 +66,9 @@ def test_filters_clearance_nearest_and_hits():
     assert world.nearest(a).body == b and world.nearest(a).distance == 0.5
     assert world.nearest(mesh().at(at(8)), filter=ecods.CollisionFilter(1, 0)) is None
     assert world.closest_pair().bodies == (a, b)
+    assert world.closest_pair(groups_a=1, groups_b=2) is None
+    assert len(world.closest_pairs(np.inf)) == 3 and world.closest_pairs(0.5) == [world.closest_pair()]
+    assert world.closest_pair().points.distance == world.closest_pair().distance
     assert world.nearest(c, max_distance=1.0) is None
     hit = world.first_hit(ecods.Ray([-1, 0.25, 0.25], [1, 0, 0]))
     assert hit.body == a and hit.hit.parameter == 1 and hit.hit.kind == ecods.HitKind.front or hit.hit.kind
@@ -227,12 +230,34 @@ def test_solids_and_convex_solids():
     world.update()
     assert [p.relation for p in world.relations()] == [ecods.Relation.overlapping]
     assert world.depths()[0].depth.depth == 0.25 and world.depth(bodies[0], bodies[1]).depth == 0.25
-    assert world.solid_distances(1.0)[0].distance == 0
+    assert world.signed_distances(1.0)[0].distance == -0.25
     containing = world.bodies_containing([0.9, 0.5, 0.5])
     assert [each.side for each in containing.bodies] == [ecods.Side.inside] * 2 and containing.skipped_count == 1
     with pytest.raises(ecods.NotSupported):
         world.depth(bodies[0], bodies[2])
     assert isinstance(world.mesh(bodies[0]), ecods.ConvexSolid)
+
+
+def test_flat_convex_solids():
+    """A polygon, a segment and a point: the same questions as of other convex solids."""
+    plate = ecods.ConvexSolid.hull([[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0], [0, 0, 0]])
+    rod, dot = ecods.ConvexSolid.hull([[0, 0, -1], [0, 0, 1]]), ecods.ConvexSolid.hull([[0, 0, 0]])
+    cube = ecods.ConvexSolid(np.array(box(6, 6, 6)[0]) - 3.0, box()[1])
+    assert [solid.dimension for solid in (cube, plate, rod, dot)] == [3, 2, 1, 0]
+    assert ecods.ConvexSolid(plate.vertices, plate.faces).dimension == 2
+    assert ecods.relation(rod, plate) == ecods.Relation.crossing
+    assert ecods.relation(plate, cube) == ecods.Relation.inside
+    assert ecods.distance(plate.at(at(0, 0, 5)), cube) == 2
+    found = ecods.signed_distance(plate, rod.at(at(0.5, 0, 0.25)))
+    assert found.distance == -0.75 and found.direction.tolist() == [0, 0, 1]
+    assert ecods.depth(dot, dot).depth == 0 and ecods.depth(dot, plate.at(at(0, 0, 1))) is None
+    assert ecods.locate([0, 0, 0], rod).side == ecods.Side.on
+    with pytest.raises(ecods.NotSolid):
+        ecods.Solid(plate.vertices, plate.faces)
+    world = ecods.World()
+    first, second = world.create_body(plate), world.create_body(rod)
+    world.update()
+    assert world.colliding_pairs().tolist() == [[first, second]]
 
 
 def test_pairs_without_a_world():

@@ -1,16 +1,21 @@
-"""The program of src/python/README.md prints what stands below it."""
+"""The programs of src/python/README.md print what stands below them."""
 import contextlib
 import io
 import os
 import pathlib
 import re
 
+import pytest
+
 import ecods
 
 
-def test_the_program_prints_what_the_readme_says():
+@pytest.mark.parametrize("i", range(2))
+def test_the_programs_print_what_the_readme_says(i):
     text = (pathlib.Path(os.environ["ECODS_SOURCE_DIR"]) / "src/python/README.md").read_text()
-    program, output = re.search(r"```python\n(.*?)```.*?```\n(.*?)```", text, re.S).groups()
+    programs = re.findall(r"```python\n(.*?)```.*?```\n(.*?)```", text, re.S)
+    assert len(programs) == 2
+    program, output = programs[i]
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
         exec(compile(program, "README.md", "exec"), {})

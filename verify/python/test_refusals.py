@@ -49,7 +49,7 @@ REFUSED = [
      "World.pose: argument 1 (body) is a numpy array of shape (8, 3); a whole number is expected"),
     (lambda: ecods.World().first_hit(V), "World.first_hit: argument 1 (line) is a numpy array of shape (8, 3); a Segment or a Ray is expected"),
     (lambda: ecods.BroadPhase().add(-1, [[0] * 3] * 2), "BroadPhase.add: argument 1 (proxy) is -1, which is out of range"),
-    (lambda: ecods.cast(MESH, [1, 0, 0], None), "cast: argument 3 (b) is None; a Mesh or Posed or a HalfSpace is expected"),
+    (lambda: ecods.cast(MESH, [1, 0, 0], None), "cast: argument 3 (b) is None; a Mesh or Posed or a Rounded or a HalfSpace is expected"),
     (lambda: ecods.CollisionManager().add_object("a", "b"),
      "mesh: 'b' is no mesh; an ecods.Mesh, an object with `vertices` and `faces`, or the two in a tuple is expected"),
     (lambda: ecods.CollisionManager().add_object("a", V),
@@ -70,6 +70,15 @@ def test_long_values_are_not_written():
         with pytest.raises(TypeError) as caught:
             ecods.distance(value, MESH)
         assert len(str(caught.value)) < 250 and "\n" not in str(caught.value), str(caught.value)
+
+
+def test_what_is_taken_is_named():
+    ground = ecods.HalfSpace([0, 0, 1], 0)
+    for call, text in ((lambda: ecods.rounded(5, 1), "a Mesh or a Rounded or a HalfSpace is expected"),
+                       (lambda: ecods.relation(ground, MESH), "a HalfSpace is expected: of two bodies, the half space comes second"),
+                       (lambda: ecods.distance(ground, ecods.sphere(1)), "the half space comes second")):
+        with pytest.raises(TypeError, match=text):
+            call()
 
 
 class Strange:

@@ -43,6 +43,37 @@ def test_margins():
     assert "rounded" in str(refused.value)
 
 
+def test_signed_distances_and_points():
+    ball, solid = ecods.sphere(0.25, [0.25, 0.5, 0.5]), ecods.ConvexSolid(*box())
+    found = ecods.signed_distance(ball, solid)
+    assert found.distance == -0.5 and ecods.depth(ball, solid).depth == 0.5
+    assert found.point_a.tolist() == [0.5, 0.5, 0.5] and found.point_b.tolist() == [0, 0.5, 0.5]
+    assert ecods.signed_distance(solid, ball).direction.tolist() == [-x for x in found.direction]
+    assert ecods.depth(ball, solid.at(at(9))) is None
+    with pytest.raises(ecods.NotSupported):
+        ecods.depth(ball, mesh())
+    body = ecods.sphere(7, [1, 0, 0]).at(at(0))
+    assert ecods.signed_distance([3, 3, 6], body) == 0 and ecods.locate([3, 3, 6], body).side == ecods.Side.on
+    assert ecods.closest_point([5, 6, 12], body).point.tolist() == [3, 3, 6]
+    with pytest.raises(ecods.InvalidArgument):
+        ecods.locate([0, np.nan, 0], body)
+
+
+def test_hits_and_casts():
+    ball = ecods.sphere(5)
+    ray = ecods.Ray([-9, 3, 0], [1, 0, 0])
+    assert [(hit.parameter, hit.kind) for hit in ecods.all_hits(ray, ball)] == [
+        (5, ecods.HitKind.front), (13, ecods.HitKind.back)]
+    assert ecods.first_hit(ecods.Segment([-9, 3, 0], [7, 3, 0]), ball).parameter == 0.3125
+    assert ecods.first_hit(ecods.Ray([-9, 6, 0], [1, 0, 0]), ball) is None
+    assert ecods.cast(ecods.sphere(3), [10, 0, 0], ecods.sphere(2, [8, 3, 0])).time == 0.4
+    assert ecods.cast(ball, [10, 0, 0], mesh().at(at(10)), max_time=0.25) is None
+    contact = ecods.cast(mesh().at(at(10)), [-10, 0, 0], ball)
+    assert contact.time == ecods.cast(ball, [10, 0, 0], mesh().at(at(10))).time > 0
+    ground = ecods.HalfSpace([0, 0, 1], 0)
+    assert ecods.cast(ecods.sphere(1).at(at(0, 0, 5)), [0, 0, -8], ground).time == 0.5
+
+
 def test_copies_and_pickles():
     bone = ecods.capsule([0, 0, 0], [1, 0, 0], 0.5)
     assert copy.copy(bone) is bone
@@ -69,8 +100,10 @@ def test_worlds():
     assert world.nearest(ecods.sphere(0.25).at(at(-5))).distance == 3.25
     assert world.intersecting_bodies(ecods.sphere(0.25).at(at(-1.5))).tolist() == [ball]
     assert world.closest(ball, cube).kind == ecods.ClosestKind.vertex_vertex
-    with pytest.raises(ecods.NotSupported):
-        world.first_hit(ecods.Ray([0, 0, 5], [0, 0, -1]))
+    assert world.first_hit(ecods.Ray([0, 0, 5], [0, 0, -1])).hit.parameter == 3.5
+    assert world.cast(ecods.sphere(0.5).at(at(-6)), [8, 0, 0]).contact.time == 0.5
+    assert world.signed_distance(ball, cube).distance == ecods.signed_distance(
+        world.posed(ball), world.posed(cube)).distance
     again = pickle.loads(pickle.dumps(world))
     again.update()
     assert again.digest() == world.digest()

@@ -52,7 +52,7 @@ def test_questions_of_many_threads_are_all_traced():
             world.cast(body, [0, 1, 0])
         world.closest_pair()
         world.depths()
-        world.solid_distances(0.5)
+        world.signed_distances(0.5)
 
     workers = [threading.Thread(target=ask) for _ in range(4)]
     for each in workers:

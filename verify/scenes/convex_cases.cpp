@@ -269,10 +269,11 @@ constexpr Family<ConvexCase> table[] = {
     {"far", make_far},        // near contact, and 1e8, 2^50 or more from the origin
     // A column of the matrix is 2^-10 to 2^-60 of the others, or they are sheared, or reflect
     {"squeezed", make_squeezed},
-    {"scaled", make_scaled},        // at scales of 2^-900 to 2^900
-    {"subnormal", make_subnormal},  // integers of some digits, times 2^-1074
-    {"exponents", make_exponents},  // tetrahedra of coordinates of any exponents
-    {"nudged", make_nudged},        // one of the above, a number of a pose moved by one ulp
+    {"scaled", make_scaled},              // at scales of 2^-900 to 2^900
+    {"subnormal", make_subnormal},        // integers of some digits, times 2^-1074
+    {"exponents", make_exponents},        // tetrahedra of coordinates of any exponents
+    {"flat sets", convexity::flat_sets},  // polygons, segments and points, and such a set and a lattice hull
+    {"nudged", make_nudged},              // one of the above, a number of a pose moved by one ulp
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ecods/distance.hpp"
+#include "ecods/intersection.hpp"
 #include "ecods/solid.hpp"
 #include "scenes/lattice_hull.hpp"
 #include "scenes/mesh_builder.hpp"

@@ -163,7 +163,7 @@ bool depths_answer_alike() {
         QueryMemory given;
         QueryCounts own;
         if (same.depths(i % 2 == 0 ? Ask(given, own) : Ask(own)) != expected || own != counts) ++wrong;
-        if (same.solid_distances(0.25, own).size() < expected.size()) ++wrong;
+        if (same.signed_distances(0.25, own).size() < expected.size()) ++wrong;
     });
     return wrong == 0 && expected.size() > 60;
 }

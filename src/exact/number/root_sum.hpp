@@ -25,6 +25,10 @@ struct RootSum {
 RootSum root_sum(const ScaledInteger& whole, const Integer& den, const ScaledInteger& length,
                  const ScaledInteger& square);
 
+// Returns (x + sqrt(y)) / z, or (x - sqrt(y)) / z if is_subtracted. z must be positive, and y >= 0 have an even
+// exponent.
+RootSum root_quotient(const ScaledInteger& x, const ScaledInteger& y, const ScaledInteger& z, bool is_subtracted);
+
 // Returns the sign of |x / z| 2^e - sqrt(y / w) 2^f.
 int compare_parts(const RootSum& sum);
 
@@ -34,5 +38,16 @@ int compare_parts(const RootSum& sum);
 // by their squares, x^2 w 4^e and y z^2 4^f. So nothing is squared twice: if x has a bits, y b, z c and w d bits, the
 // longest number has max(2a + d, b + 2c) bits, and as many more as the parts' units lie apart.
 int sign(const RootSum& sum);
+
+// Returns factor * sum + more.
+RootSum affine(const ScaledInteger& factor, const RootSum& sum, const ScaledInteger& more);
+
+// Returns the sign of a - b.
+//
+// Let U be the difference of the rational parts, and r, q the roots of a and b, signed. a - b = (U + r) - q. If U + r
+// and q have different signs, these decide. Otherwise their squares do: (U + r)^2 - q^2 = U^2 + r^2 - q^2 + 2 U r is a
+// rational number and a root again. So nothing is squared more than twice.
+int compare(const RootSum& a, const RootSum& b);
+int compare(const RootSum& a, const ScaledInteger& b);
 
 }  // namespace ecods::exact

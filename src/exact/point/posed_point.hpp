@@ -9,6 +9,10 @@
 
 namespace ecods::exact {
 
+inline ScaledLongVector exact_vector(const Vec3& v) {
+    return {ScaledInteger(v[0]), ScaledInteger(v[1]), ScaledInteger(v[2])};
+}
+
 // Returns R v + t.
 inline ScaledLongVector posed_point(const Pose& pose, const Vec3& v) {
     PoseTerms terms;

@@ -14,6 +14,7 @@ void bind_results(pybind11::module_& m);
 void bind_pair_questions(pybind11::module_& m);
 void bind_rounded(pybind11::module_& m);
 void bind_half_spaces(pybind11::module_& m);
+void bind_contacts(pybind11::module_& m);
 void bind_line_questions(pybind11::module_& m);
 void bind_solid_questions(pybind11::module_& m);
 void bind_many(pybind11::module_& m);

@@ -73,6 +73,8 @@ void bind_half_spaces(py::module_& m) {
     add_half_space_numbers<PosedRounded>(m);
     m.def("cast", asked<PosedMesh, Vec3, PosedHalfSpace, double>(ECODS_QUESTION(cast)), a, py::arg("motion"), b,
           max_time, "FirstContact of a body that is translated with a half space. Raises InvalidArgument.");
+    m.def("cast", asked<PosedRounded, Vec3, PosedHalfSpace, double>(ECODS_QUESTION(cast)), a, py::arg("motion"), b,
+          max_time, "FirstContact of a rounded body that is translated with a half space. Raises InvalidArgument.");
 }
 
 }  // namespace ecods::python

@@ -144,8 +144,13 @@ void add_solids(py::module_& m) {
         "names the place.");
     add_making<Solid>(solid);
 
-    py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(m, "ConvexSolid",
-                                                                        "A Solid without dents. Raises NotSolid.");
+    py::class_<ConvexSolid, Solid, std::shared_ptr<ConvexSolid>> convex(
+        m, "ConvexSolid",
+        "A Solid without dents, or a flat convex set: a polygon that "
+        "triangles tile, a segment or a point, which "
+        "has no inner points. Raises NotSolid.");
+    convex.def_property_readonly("dimension", &ConvexSolid::dimension,
+                                 "3; of a polygon 2, of a segment 1 and of a point 0.");
     add_making<ConvexSolid>(convex);
     convex.def_static(
         "hull",
@@ -157,7 +162,7 @@ void add_solids(py::module_& m) {
         },
         py::arg("points"),
         "The convex hull of points (n, 3), exactly: its vertices are those points that are no combination of others. "
-        "Raises InvalidMesh, NotSolid.");
+        "Of points in one plane it is a polygon, a segment or a point. Raises InvalidMesh, NotSolid.");
 }
 
 std::shared_ptr<MeshShape> require(std::shared_ptr<MeshShape> mesh) {

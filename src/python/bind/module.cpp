@@ -12,10 +12,11 @@ PYBIND11_MODULE(_ecods, m) {
     bind_builders(m);
     bind_results(m);
     bind_pair_questions(m);
-    bind_rounded(m);
     bind_line_questions(m);
     bind_solid_questions(m);
+    bind_rounded(m);
     bind_half_spaces(m);
+    bind_contacts(m);
     bind_many(m);
     bind_predicates(m);
     bind_certificates(m);

@@ -22,10 +22,6 @@ bool are_same(const T& a, const T& b) {
 inline bool are_same(const std::shared_ptr<ConvexSolid>& a, const std::shared_ptr<ConvexSolid>& b) {
     return a == b || (a && b && a->digest() == b->digest());
 }
-inline bool are_same(const ClosestPoints& a, const ClosestPoints& b) {
-    return a.distance == b.distance && a.kind == b.kind && a.a == b.a && a.b == b.b && a.point_a == b.point_a &&
-           a.point_b == b.point_b;
-}
 inline bool are_same(const Hit& a, const Hit& b) {
     return a.parameter == b.parameter && a.leave_parameter == b.leave_parameter && a.kind == b.kind &&
            a.rank == b.rank && a.feature == b.feature && a.point == b.point && a.leave_point == b.leave_point;

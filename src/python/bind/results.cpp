@@ -135,9 +135,15 @@ void add_solid_answers(py::module_& m) {
 void add_world_answers(py::module_& m) {
     add_record(m, "NearestBody", "A body that is nearest to something.", Field{"body", &NearestBody::body, "Its id."},
                Field{"distance", &NearestBody::distance, "The true distance, rounded once."});
-    add_record(m, "ClosestPair", "Two bodies of a world that are closest to each other.",
+    add_record(m, "ClosestPair", "Two bodies of a world that are close to each other.",
                Field{"bodies", &ClosestPair::bodies, "Their ids, the lesser first."},
-               Field{"distance", &ClosestPair::distance, "The true distance, rounded once."});
+               Field{"distance", &ClosestPair::distance,
+                     "The true distance, rounded once: signed if both are convex (ConvexSolid, Rounded), or one is a "
+                     "HalfSpace."},
+               Field{"points", &ClosestPair::points, "ClosestPoints with that distance; None for two half spaces."},
+               Field{"direction", &ClosestPair::direction,
+                     "Unit vector (3,), along which the second body would move; None if the distance is positive or "
+                     "has no sign."});
     add_record(m, "BodyHit", "A hit of a segment or a ray on a body.", Field{"body", &BodyHit::body, "Its id."},
                Field{"hit", &BodyHit::hit, "The Hit; its rank counts the parameters of all bodies."});
     add_record(m, "BodyContact", "The body that a moving one meets first.",
@@ -152,9 +158,9 @@ void add_world_answers(py::module_& m) {
     add_record(m, "BodyDepth", "Two convex solids that share a point, and their depth.",
                Field{"bodies", &BodyDepth::bodies, "Their ids, the lesser first."},
                Field{"depth", &BodyDepth::depth, "The Depth, by which the second body would move."});
-    add_record(m, "SolidDistance", "Two convex solids and their distance.",
-               Field{"bodies", &SolidDistance::bodies, "Their ids, the lesser first."},
-               Field{"distance", &SolidDistance::distance, "The distance, rounded once; 0 if they share a point."});
+    add_record(m, "PairDistance", "Two bodies and their distance.",
+               Field{"bodies", &PairDistance::bodies, "Their ids, the lesser first."},
+               Field{"distance", &PairDistance::distance, "The distance, signed as that of ClosestPair."});
     add_record(m, "BodyAt", "A body that a point is in, or on.", Field{"body", &BodyAt::body, "Its id."},
                Field{"side", &BodyAt::side, "Side: on or inside."});
     add_record(m, "BodiesContaining", "The solids of a world that a point is in, or on.",

@@ -64,6 +64,47 @@ void add_questions(py::module_& m) {
           "ClosestPoints on the rounded surfaces, and the features of the cores.");
     m.def("distance_bounds", asked_for_distance_bounds<A, B>(), a, b, py::arg("relative") = 0.0,
           py::arg("absolute") = 0.0, py::arg("max_distance") = infinite, witness);
+    m.def(
+        "signed_distance", asked_with_witness<A, B>(ECODS_QUESTION(signed_distance)), a, b, witness,
+        "SignedDistance: that of the cores less both radii. Raises NotSupported if the cores share a point and one is "
+        "not convex, and SingularPose.");
+    m.def(
+        "depth", asked_with_witness<A, B>(ECODS_QUESTION(depth)), a, b, witness,
+        "Depth of two convex bodies in each other; None if they share no point. Raises NotSupported for other bodies, "
+        "and SingularPose.");
+    m.def("cast", asked<A, Vec3, B, double>(ECODS_QUESTION(cast)), a, py::arg("motion"), b, py::arg("max_time") = 1.0,
+          "FirstContact of a, translated by time times `motion` (3,), with b; None if there is none up to max_time. "
+          "Exact. Raises InvalidArgument.");
+}
+
+template <class Line>
+void add_hits(py::module_& m) {
+    const py::arg the_line("line"), the_body("body");
+    m.def(
+        "first_hit",
+        [](const Line& line, const PosedRounded& body) {
+            return ask([&] { return body.what->first_hit(line, body.pose, {}); });
+        },
+        the_line, the_body, "The Hit of least parameter of a Segment or Ray; None if nothing is hit. Exact.");
+    m.def(
+        "all_hits",
+        [](const Line& line, const PosedRounded& body) {
+            return ask([&] { return body.what->all_hits(line, body.pose, {}); });
+        },
+        the_line, the_body,
+        "A list of Hit: where the line comes into the body (front), leaves it (back), touches it (face), or begins "
+        "inside it. Exact.");
+}
+
+void add_points(py::module_& m) {
+    const py::arg point("point"), body("body");
+    m.def("closest_point", asked<Vec3, PosedRounded>(ECODS_QUESTION(closest)), point, body,
+          "ClosestPoint of a rounded body to a point (3,); at distance 0 inside. Raises InvalidArgument.");
+    m.def("signed_distance", asked<Vec3, PosedRounded>(ECODS_QUESTION(signed_distance)), point, body,
+          "The distance of a point (3,) from the core less the radius, rounded once: negative inside. Raises "
+          "InvalidArgument.");
+    m.def("locate", asked<Vec3, PosedRounded>(ECODS_QUESTION(locate)), point, body,
+          "Location of a point (3,): outside, on or inside. Exact. Raises InvalidArgument.");
 }
 
 }  // namespace
@@ -83,6 +124,9 @@ void bind_rounded(py::module_& m) {
     add_questions<PosedRounded, PosedRounded>(m);
     add_questions<PosedRounded, PosedMesh>(m);
     add_questions<PosedMesh, PosedRounded>(m);
+    add_points(m);
+    add_hits<Segment>(m);
+    add_hits<Ray>(m);
 }
 
 }  // namespace ecods::python

@@ -143,9 +143,10 @@ void bind_world(py::module_& m) {
                     "their filters, data and switched pairs, the clearance and the options; ids that were stale are "
                     "stale in the copy, too. The copy is like a world before its first update, and is not traced. "
                     "Copies share the meshes. The cost is that of creating the bodies.");
-    type.def(py::init<BroadPhaseKind, std::size_t>(), py::arg("broad_phase") = "automatic", py::arg("threads") = 1,
-             "`threads` is the number of threads that run the two-body tests of update(), depths() and "
-             "solid_distances(). No answer depends on `broad_phase` or on `threads`.");
+    type.def(
+        py::init<BroadPhaseKind, std::size_t>(), py::arg("broad_phase") = "automatic", py::arg("threads") = 1,
+        "`threads` is the number of threads that run the two-body tests of update(), closest_pairs(), depths() and "
+        "signed_distances(). No answer depends on `broad_phase` or on `threads`.");
     const py::arg body("body");
     add_bodies(type, body);
     add_facts(type, body);

@@ -6,6 +6,8 @@ namespace {
 
 using Filter = std::optional<CollisionFilter>;
 
+constexpr std::uint64_t every_group = ~std::uint64_t{0};
+
 void add_finding(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
     type.def(
         "overlapping_bodies",
@@ -24,7 +26,8 @@ void add_finding(WorldClass& type, const py::arg& what, const py::arg_v& filter)
         "the bodies that it may meet. If the question is about a body, bodies with which it is filtered out do not "
         "count. Both hold for nearest() and cast(), too.");
     type.def("bodies_containing", asked_of_world<Vec3>(ECODS_CALL(bodies_containing)), py::arg("point"),
-             "BodiesContaining: the solids with the point (3,) in them or on them. Raises InvalidArgument.");
+             "BodiesContaining: the Solids with the point (3,) in them or on them; not Rounded bodies. Raises "
+             "InvalidArgument.");
 }
 
 void add_nearest(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
@@ -37,13 +40,31 @@ void add_nearest(WorldClass& type, const py::arg& what, const py::arg_v& filter)
         what, max_distance, filter,
         "NearestBody to a body, a Mesh or a Posed, among the bodies within max_distance, or None. If distances are "
         "equal, the body of the least id. Raises InvalidArgument.");
+    const auto groups_a = py::arg("groups_a") = every_group, groups_b = py::arg("groups_b") = every_group;
     type.def(
-        "closest_pair", asked_of_world<double>(ECODS_CALL(closest_pair)), max_distance,
-        "ClosestPair of all pairs that are not filtered out, within max_distance, or None. Raises InvalidArgument.");
+        "closest_pair", asked_of_world<double, std::uint64_t, std::uint64_t>(ECODS_CALL(closest_pair)), max_distance,
+        groups_a, groups_b,
+        "ClosestPair of all pairs that are not filtered out, within max_distance, or None. With groups, only pairs "
+        "of a body in groups_a and one in groups_b count. Raises InvalidArgument.");
+    type.def("closest_pairs", asked_of_world<double, std::uint64_t, std::uint64_t>(ECODS_CALL(closest_pairs)),
+             py::arg("max_distance"), groups_a, groups_b,
+             "All pairs that closest_pair() chooses from: a list of ClosestPair, by distance, then by ids.");
     type.def("depths", asked_of_world<>(ECODS_CALL(depths)),
              "Pairs of ConvexSolids that share a point: a list of BodyDepth. Raises SingularPose.");
-    type.def("solid_distances", asked_of_world<double>(ECODS_CALL(solid_distances)), py::arg("max_distance"),
-             "Pairs of ConvexSolids within max_distance: a list of SolidDistance. Raises SingularPose.");
+    type.def("signed_distances", asked_of_world<double>(ECODS_CALL(signed_distances)), py::arg("max_distance"),
+             "The pairs of closest_pairs() without their points: a list of PairDistance, by ids.");
+    const PatchLimits all;
+    type.def(
+        "contact_patches",
+        [](const SharedWorld& self, std::uint32_t max_corners, double min_cos_squared, double max_gap) {
+            return self.read([&](const World& world) {
+                return world.contact_patches({max_corners, min_cos_squared, max_gap});
+            });
+        },
+        py::arg("max_corners") = all.max_corners, py::arg("min_cos_squared") = all.min_cos_squared,
+        py::arg("max_gap") = all.max_gap,
+        "Contact patches of all colliding pairs of convex bodies: a list of BodyPatch, in the order of "
+        "colliding_pairs. Raises SingularPose, InvalidArgument.");
 }
 
 template <class Line>

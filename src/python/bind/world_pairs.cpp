@@ -28,13 +28,26 @@ void add_pair_questions(WorldClass& type) {
              "The shared points of intersecting triangles: a list of TriangleIntersection.");
     type.def("close_features", asked_of_pair<double>(ECODS_CALL(close_features)), a, b, max_distance,
              "Pairs of features within max_distance: a list of CloseFeatures. Raises InvalidArgument.");
-    type.def(
-        "depth", asked_of_pair<>(ECODS_CALL(depth)), a, b,
-        "Depth of two ConvexSolids in each other; None if they share no point. Raises NotSupported, SingularPose.");
+    type.def("depth", asked_of_pair<>(ECODS_CALL(depth)), a, b,
+             "Depth of two convex bodies, ConvexSolid or Rounded, in each other; None if they share no point. Raises "
+             "NotSupported, SingularPose.");
     type.def("signed_distance", asked_of_pair<>(ECODS_CALL(signed_distance)), a, b,
-             "SignedDistance of two ConvexSolids. Raises NotSupported, SingularPose.");
+             "SignedDistance of two ConvexSolids, of a Rounded and a body, or of a body and a HalfSpace. Raises "
+             "NotSupported, SingularPose.");
     type.def("depth_bounds", asked_of_pair<>(ECODS_CALL(depth_bounds)), a, b,
              "DepthBounds of two Solids; None if they share no point. Raises NotSupported, SingularPose.");
+    const PatchLimits all;
+    type.def(
+        "contact_patch",
+        [](const SharedWorld& self, const Subject& first, const Subject& second, std::uint32_t max_corners,
+           double min_cos_squared, double max_gap) {
+            return self.read([&](const World& world) {
+                return world.contact_patch(to_asked(first), to_asked(second), {max_corners, min_cos_squared, max_gap});
+            });
+        },
+        a, b, py::arg("max_corners") = all.max_corners, py::arg("min_cos_squared") = all.min_cos_squared,
+        py::arg("max_gap") = all.max_gap,
+        "ContactPatch of two convex bodies, as contact_patch(). Raises NotSupported, SingularPose, InvalidArgument.");
 }
 
 }  // namespace ecods::python

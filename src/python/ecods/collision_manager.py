@@ -1,7 +1,9 @@
 """Collisions and signed distances of named bodies, with the calls of trimesh's collision manager."""
 import math
+from typing import Any, Dict, Hashable, Optional
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _ecods
 from .refusals import describe
@@ -17,7 +19,7 @@ def _as_convex(vertices, faces):
         return _ecods.ConvexSolid.hull(vertices) if error.reason == _ecods.NotSolidReason.dent else None
 
 
-def as_mesh(mesh):
+def as_mesh(mesh: Any) -> Any:
     """Returns the body of a Mesh, an object with `vertices` and `faces`, or a tuple of the two. Raises TypeError.
 
     It is a ConvexSolid if the object says that it `is_convex`, and bounds a solid; what was no Mesh before is a surface
@@ -47,7 +49,7 @@ def _faces(names, a, b):
 
 
 def _signed_distance(a, b):
-    """Returns the SignedDistance of two posed ConvexSolids; None of others, and where one is flat."""
+    """Returns the SignedDistance of two posed ConvexSolids; None of others, and where a pose is singular."""
     if a.mesh.form != _ecods.MeshForm.convex or b.mesh.form != _ecods.MeshForm.convex:
         return None
     try:
@@ -73,10 +75,10 @@ class ContactData:
         self.normal = np.full(3, np.nan) if normal is None else normal
         self.depth = depth
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return _text_of(self, point=self.point.tolist(), normal=self.normal.tolist(), depth=self.depth)
 
-    def index(self, name):
+    def index(self, name: Hashable) -> Optional[int]:
         """The index of the face of the mesh with that name; None if the point is inside it, and on no face."""
         return self._indices[name]
 
@@ -95,14 +97,14 @@ class DistanceData:
         self._indices = _faces(names, at.a, at.b)
         self._points = dict(zip(names, (at.point_a, at.point_b)))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return _text_of(self, distance=self.distance, points=[point.tolist() for point in self._points.values()])
 
-    def index(self, name):
+    def index(self, name: Hashable) -> Optional[int]:
         """The index of the closest face of the mesh with that name; None if the point is inside it, and on no face."""
         return self._indices[name]
 
-    def point(self, name):
+    def point(self, name: Hashable) -> np.ndarray:
         """The closest point (3,) of the mesh with that name."""
         return self._points[name]
 
@@ -145,12 +147,12 @@ class CollisionManager:
     any hashable values. Copies and pickles work as those of a World.
     """
 
-    def __init__(self, threads=1):
+    def __init__(self, threads: int = 1) -> None:
         self._world = _ecods.World(threads=threads)
-        self._bodies = {}
-        self._names = {}
+        self._bodies: Dict[Hashable, int] = {}
+        self._names: Dict[int, Hashable] = {}
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         names = ", ".join(repr(name) for name in list(self._bodies)[:3]) + (", ..." if len(self._bodies) > 3 else "")
         return f"<ecods.CollisionManager of {len(self._bodies)} meshes{': ' if names else ''}{names}>"
 
@@ -170,7 +172,7 @@ class CollisionManager:
     def _posed(self):
         return [(name, self._world.posed(body)) for name, body in self._bodies.items()]
 
-    def add_object(self, name, mesh, transform=None):
+    def add_object(self, name: Hashable, mesh: Any, transform: Optional[ArrayLike] = None) -> None:
         """Adds a mesh at a transform (4, 4); replaces an object of the same name. Raises TypeError, InvalidMesh."""
         body = self._world.create_body(as_mesh(mesh), transform)
         if name in self._bodies:
@@ -178,17 +180,18 @@ class CollisionManager:
         self._bodies[name] = body
         self._names[body] = name
 
-    def remove_object(self, name):
+    def remove_object(self, name: Hashable) -> None:
         """Removes the object with that name. Raises ValueError if there is none."""
         body = self._body(name)
         self._world.destroy_body(body)
         del self._bodies[name], self._names[body]
 
-    def set_transform(self, name, transform):
+    def set_transform(self, name: Hashable, transform: ArrayLike) -> None:
         """Moves the object with that name to a transform (4, 4). Raises ValueError if there is none."""
         self._world.set_pose(self._body(name), transform)
 
-    def in_collision_single(self, mesh, transform=None, return_names=False, return_data=False):
+    def in_collision_single(self, mesh: Any, transform: Optional[ArrayLike] = None, return_names: bool = False,
+                            return_data: bool = False) -> Any:
         """Returns True if a mesh collides with any object; on demand also the objects' names and a list of ContactData."""
         external = as_mesh(mesh).at(transform)
         bodies = self._world.intersecting_bodies(external)
@@ -199,7 +202,7 @@ class CollisionManager:
                 data += _contacts((self._names[body], EXTERNAL), self._world.posed(body), external)
         return _answer(len(bodies) > 0, (return_names, names), (return_data, data))
 
-    def in_collision_internal(self, return_names=False, return_data=False):
+    def in_collision_internal(self, return_names: bool = False, return_data: bool = False) -> Any:
         """Returns True if any two objects collide; on demand also pairs of names, sorted, and a list of ContactData."""
         self._world.update()
         pairs = self._world.colliding_pairs()
@@ -211,7 +214,8 @@ class CollisionManager:
                 data += _contacts(pair, self._world.posed(a), self._world.posed(b))
         return _answer(len(pairs) > 0, (return_names, names), (return_data, data))
 
-    def in_collision_other(self, other_manager, return_names=False, return_data=False):
+    def in_collision_other(self, other_manager: "CollisionManager", return_names: bool = False,
+                           return_data: bool = False) -> Any:
         """Returns True if an object collides with an object of another manager; pairs of names begin with this manager's."""
         names, data = set(), []
         for other_name, other in other_manager._posed():
@@ -242,13 +246,10 @@ class CollisionManager:
     def _closest_pair(self):
         """Returns the least signed distance of two objects, and the bodies; or None."""
         closest = self._world.closest_pair()
-        if closest is None or closest.distance > 0:
-            return None if closest is None else (closest.distance, closest.bodies)
-        self._world.update()
-        return min((_signed(self._world.posed(a), self._world.posed(b)), (a, b))
-                   for a, b in self._world.colliding_pairs().tolist())
+        return None if closest is None else (closest.distance, closest.bodies)
 
-    def min_distance_single(self, mesh, transform=None, return_name=False, return_data=False):
+    def min_distance_single(self, mesh: Any, transform: Optional[ArrayLike] = None, return_name: bool = False,
+                            return_data: bool = False) -> Any:
         """Returns the least distance of a mesh from any object; on demand also the object's name, and the DistanceData."""
         external = as_mesh(mesh).at(transform)
         nearest = self._nearest(external)
@@ -261,7 +262,8 @@ class CollisionManager:
             data = DistanceData((name, EXTERNAL), self._world.posed(body), external)
         return _answer(distance, (return_name, name), (return_data, data))
 
-    def min_distance_internal(self, name=None, return_names=False, return_data=False):
+    def min_distance_internal(self, name: Optional[Hashable] = None, return_names: bool = False,
+                              return_data: bool = False) -> Any:
         """Returns the least distance of two objects, or of the named one from the others; on demand also names and data."""
         found = self._closest_pair() if name is None else self._nearest_to(self._body(name))
         if found is None:
@@ -271,13 +273,16 @@ class CollisionManager:
         data = DistanceData(pair, *map(self._world.posed, bodies)) if return_data else None
         return _answer(distance, (return_names, self._names_in_order(bodies)), (return_data, data))
 
-    def min_distance_other(self, other_manager, return_names=False, return_data=False):
+    def min_distance_other(self, other_manager: "CollisionManager", return_names: bool = False,
+                           return_data: bool = False) -> Any:
         """Returns the least distance from the objects of another manager; names begin with this manager's."""
-        best, pair, posed = math.inf, None, None
+        best, pair, data = math.inf, None, None
+        closest: Any = None
         for other_name, other in other_manager._posed():
             nearest = self._nearest(other, best)
             if nearest is not None and (pair is None or nearest[0] < best):
                 best, pair = nearest[0], (self._names[nearest[1]], other_name)
-                posed = (self._world.posed(nearest[1]), other)
-        data = DistanceData(pair, *posed) if return_data and pair is not None else None
+                closest = self._world.posed(nearest[1]), other
+        if return_data and pair is not None:
+            data = DistanceData(pair, *closest)
         return _answer(best, (return_names, pair), (return_data, data))

@@ -80,7 +80,9 @@ def wanted(kind):
 
 
 def hint(kinds, value):
-    """Returns a hint how to make a Mesh or Posed from arrays, or from another library's mesh."""
+    """Returns a hint how to make a Mesh or Posed from arrays, or from another library's mesh; or to swap two bodies."""
+    if kinds == ["PosedHalfSpace"] and isinstance(value, (_ecods.Mesh, _ecods.Posed, _ecods.Rounded, _ecods.PosedRounded)):
+        return ": of two bodies, the half space comes second"
     if "Posed" not in kinds and "Mesh" not in kinds:
         return ""
     place = ", and place it with .at(pose)" if "Posed" in kinds else ""
@@ -106,7 +108,7 @@ class Parameter:
     def __init__(self, text, by_position):
         self.name, rest = text.split(":", 1)
         kind, _, default = rest.strip().partition(" = ")
-        self.kind = kind.replace("ecods._ecods.", "").replace("ecods.", "")
+        self.kind = kind.replace("ecods._ecods.", "").replace("ecods.", "").replace("ecods::", "")
         self.default = default or None
         self.by_position = by_position
 

@@ -2,10 +2,13 @@
 #include "ecods/intersection.hpp"
 
 #include "query/body/contained.hpp"
+#include "query/body/flat_crossing.hpp"
 #include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
 #include "query/intersection/surface_intersection.hpp"
 #include "query/solid/relations.hpp"
+#include "query/solid/solid_parts.hpp"
 
 namespace ecods {
 
@@ -20,15 +23,32 @@ bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask&
     return !surface::holds_axis(asking.witness()) && is_part_inside({a, b}, asking.memory());
 }
 
+namespace {
+
+// A flat set crosses another body where its triangles only touch: the other one passes through a line between them.
+Relation flat_relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    Asking asking(ask);
+    const Relation of_triangles =
+        surface::relation(boundary_of(a), boundary_of(b), {asking.memory(), asking.witness()});
+    if (of_triangles != Relation::touching) return of_triangles;
+    const bool is_first = is_flat_set(a);
+    if (!is_first && !is_flat_set(b)) return of_triangles;
+    const auto cross = [&] { return do_flat_cross(is_first ? a : b, is_first ? b : a, asking.memory()); };
+    return as_part(asking.memory(), cross) ? Relation::crossing : Relation::touching;
+}
+
+}  // namespace
+
 Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
-    const bool is_solid_a = a.what->form() != MeshForm::surface, is_solid_b = b.what->form() != MeshForm::surface;
+    if (are_surfaces(*a.what, *b.what)) return surface::relation(a, b, ask);
+    const bool is_solid_a = has_inside(*a.what), is_solid_b = has_inside(*b.what);
     const auto solid = [](const Posed<MeshShape>& body) {
         return Posed<Solid>(static_cast<const Solid&>(*body.what), body.pose);
     };
     if (is_solid_a && is_solid_b) return solid_relation(solid(a), solid(b), ask);
-    if (is_solid_b) return surface_relation(a, solid(b), ask);
-    if (is_solid_a) return mirrored(surface_relation(b, solid(a), ask));
-    return surface::relation(a, b, ask);
+    if (is_solid_b) return surface_relation(boundary_of(a), solid(b), ask);
+    if (is_solid_a) return mirrored(surface_relation(boundary_of(b), solid(a), ask));
+    return flat_relation(a, b, ask);
 }
 
 std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {

@@ -16,7 +16,9 @@ PosedBody::PosedBody(const Posed<MeshShape>& posed, Meaning meaning) : boundary_
     const NamedBoundary boundary = boundary_of(*posed.what);
     boundary_.what = &boundary.shape;
     names_ = boundary.names;
-    if (exact::is_regular(posed.pose.R)) solid_ = static_cast<const Solid*>(posed.what);
+    if (!exact::is_regular(posed.pose.R)) return;
+    if (ecods::has_inside(*posed.what)) solid_ = static_cast<const Solid*>(posed.what);
+    if (posed.what->form() == MeshForm::convex) convex_ = static_cast<const ConvexSolid*>(posed.what);
 }
 
 }  // namespace ecods

@@ -35,14 +35,14 @@ class PosedBody {
 
     const Posed<MeshShape>& boundary() const noexcept { return boundary_; }
 
-    // True if the set has inner points. The image of a solid under a singular matrix has none: it is the image of its
-    // surface, since on a line that is mapped to one point, an inner point is between two points of the surface.
+    // True if the set has inner points. A flat solid has none. The image of a solid under a singular matrix has none:
+    // it is the image of its surface, since on a line that is mapped to one point, an inner point is between two points
+    // of the surface.
     bool has_inside() const noexcept { return solid_ != nullptr; }
-    bool is_convex() const noexcept { return has_inside() && solid_->form() == MeshForm::convex; }
-    Posed<Solid> solid() const { return {*solid_, boundary_.pose}; }  // requires has_inside()
-    Posed<ConvexSolid> convex() const {                               // requires is_convex()
-        return {static_cast<const ConvexSolid&>(*solid_), boundary_.pose};
-    }
+    // True for a convex solid, a flat one too, at a regular pose.
+    bool is_convex() const noexcept { return convex_ != nullptr; }
+    Posed<Solid> solid() const { return {*solid_, boundary_.pose}; }          // requires has_inside()
+    Posed<ConvexSolid> convex() const { return {*convex_, boundary_.pose}; }  // requires is_convex()
 
     // Renames a triangle of the boundary to that of the body's mesh. Keeps the order of triangles.
     void rename(std::uint32_t& triangle) const noexcept {
@@ -56,6 +56,7 @@ class PosedBody {
     Posed<MeshShape> boundary_;
     std::span<const std::uint32_t> names_;  // by triangle of the boundary; empty if it has the mesh's triangles
     const Solid* solid_ = nullptr;          // null if the set has no inner points
+    const ConvexSolid* convex_ = nullptr;   // null if the set is not is_convex()
 };
 
 // Two bodies of a question.

@@ -31,6 +31,9 @@ struct RoundedPair {
     bool within(double max_distance, const Ask& ask) const;
     ClosestPoints closest(const Ask& ask) const;
     DistanceBounds distance_bounds(const DistanceTolerance& tolerance, const Ask& ask) const;
+    SignedDistance signed_distance(const Ask& ask) const;
+    std::optional<Depth> depth(const Ask& ask) const;
+    std::optional<FirstContact> cast(const Vec3& motion, double max_time, const Ask& ask) const;
 
     CoreAndRadius a, b;
 };

@@ -12,13 +12,10 @@
 #include "base/next.hpp"
 #include "exact/number/exact_sum.hpp"
 #include "geometry/find_invalid.hpp"
+#include "query/convex/convex_core.hpp"
 
 namespace ecods {
 namespace {
-
-bool is_convex(const MeshShape& core) noexcept {
-    return core.form() == MeshForm::convex || core.mesh().triangles().size() == 1;
-}
 
 // Returns a double that is at most x - radius. The difference as computed is off by less than one unit in its last
 // place, in any rounding mode, also if a processor takes a subnormal number for zero: the other number is then the
@@ -40,7 +37,7 @@ Rounded::Rounded(std::shared_ptr<const MeshShape> core, double radius) : core_(s
     if (!core_) throw null_argument("shape");
     if (!is_from_zero(radius) || key_of(radius) == infinity_key) throw invalid_radius(radius);
     if (key_of(radius) == 0) radius_ = 0;  // turns -0 into +0
-    kind_ = is_convex(*core_) ? ShapeKind::rounded_convex() : ShapeKind::rounded();
+    kind_ = convex::is_convex_core(*core_) ? ShapeKind::rounded_convex() : ShapeKind::rounded();
 }
 
 Rounded::~Rounded() = default;

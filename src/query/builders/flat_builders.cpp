@@ -79,7 +79,9 @@ std::shared_ptr<const ConvexSolid> prism(std::span<const Vec2> polygon, double h
     for (const double z : {-half, half}) {
         for (const Vec2& p : polygon) points.emplace_back(p[0], p[1], z);
     }
-    return std::make_shared<const ConvexSolid>(points);
+    auto solid = std::make_shared<const ConvexSolid>(points);
+    if (solid->dimension() < 3) throw no_interior(points.size());
+    return solid;
 }
 
 }  // namespace ecods

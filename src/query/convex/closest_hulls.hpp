@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "ecods/ask.hpp"
 #include "ecods/results.hpp"
@@ -104,11 +105,44 @@ std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeature
 // are given, points and distance are those of the rounded hulls.
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii = {});
 
-// Chooses, by the same rule, the features with the two points that the shortest translation of two solids that share a
-// point brings together, and computes these points; `distance` is the depth. `extreme` are the features that name the
-// normal of the depth: a face and any feature, or two edges that are not parallel. `normal` is the unit normal,
-// rounded.
-ClosestPoints name_deepest(PosedHulls& hulls, const std::array<HullFeature, 2>& extreme, const Vec3& normal);
+// A feature of each of two solids.
+using HullFeaturePair = std::array<HullFeature, 2>;
+
+// Describes all pairs of points of two solids that have the least difference: the closest pairs; or, of solids that
+// share a point, those that the shortest translation brings together.
+struct LeastDifference {
+    HullFeaturePair
+        parts;           // the features that are extreme along the normal, towards each other: they contain all pairs
+    HullFeatures found;  // features that have one such pair, by which the difference is measured
+    Vec3 normal;         // unit vector, rounded: from the first solid to the second; of a depth, out of the first
+    bool is_depth;       // true if the difference is against the normal, or zero
+    bool is_zero;        // true if the depth is 0
+    // True if `parts` have only one such pair, in their interiors.
+    bool are_only = false;
+};
+LeastDifference least_of_closest(PosedHulls& hulls, const ClosestHulls& closest);
+// `extreme` are the features that name the normal of the depth: a face and any feature, or two edges that are not
+// parallel; any features of flat solids whose depth is 0. `normal` is the unit normal, rounded.
+LeastDifference least_of_deepest(PosedHulls& hulls, const HullFeaturePair& extreme, const Vec3& normal, bool is_zero);
+
+// Returns the square of the least difference.
+exact::SquaredDistance square_of(PosedHulls& hulls, const LeastDifference& least);
+
+// Returns a vector along the normal.
+exact::LongDirection exact_normal(PosedHulls& hulls, const LeastDifference& least);
+
+// Chooses, by the same rule as name_closest(), the features with the two points that the shortest translation of two
+// solids that share a point brings together, and computes these points; `distance` is the depth. If radii are given,
+// points and depth are those of the rounded solids.
+ClosestPoints name_deepest(PosedHulls& hulls, const LeastDifference& least, const exact::Radii& radii = {});
+
+// Sets `pairs` to all pairs of features that have exactly one pair of points at the least difference, which is in the
+// interior of both, in no promised order: these are the corners of the region that such points form, seen along the
+// normal.
+void list_least(PosedHulls& hulls, const LeastDifference& least, std::vector<HullFeaturePair>& pairs);
+
+// Returns the features' vertices, by which exact functions measure them: those of a face are its first three.
+HullFeatures features_of(const PosedHulls& hulls, const HullFeaturePair& parts) noexcept;
 
 // True if the witness names two triangles.
 constexpr bool is_known(const PairWitness& witness) noexcept {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/make_error.hpp"
@@ -10,14 +11,15 @@
 #include "query/convex/convexity.hpp"
 #include "query/convex/hull_build.hpp"
 #include "query/convex/hull_of_points.hpp"
+#include "query/solid/flat_mesh.hpp"
 
 namespace ecods {
 namespace {
 
 using namespace convex;
 
-Hull hull_of(std::span<const Vec3> points) {
-    const ProperMesh proper{Mesh::create({points.begin(), points.end()}, triangulate_hull(points)), {}};
+Hull hull_of(std::span<const Vec3> points, std::vector<Triangle> border_triangles) {
+    const ProperMesh proper{Mesh::create({points.begin(), points.end()}, std::move(border_triangles)), {}};
     const MeshEdges edges(proper);
     const Border border{&proper, &edges, {}, &proper, {}, exact::VertexSigns(proper.mesh->vertices())};
     Shells shells;
@@ -34,7 +36,10 @@ std::shared_ptr<const Mesh> convex_hull(std::span<const Vec3> points) {
         }
     }
     if (points.size() > std::numeric_limits<std::uint32_t>::max()) throw mesh_too_large(points.size(), 0);
-    const Hull hull = hull_of(points);
+    if (points.empty()) throw no_interior(0);
+    std::vector<Triangle> border = triangulate_hull(points);
+    if (border.empty()) return mesh_of_flat(points, *flat_hull(points, distinct(points)));
+    const Hull hull = hull_of(points, std::move(border));
 
     std::vector<std::uint32_t> kept = hull.mesh_vertices;
     std::ranges::sort(kept);

@@ -16,6 +16,7 @@ using namespace convex;
 
 Hull make_hull(const Solid& solid) {
     const SolidAccess::Parts& parts = SolidAccess::parts(solid);
+    if (parts.flat) return build_flat_hull(parts.proper, *parts.flat);
     const Shells& shells = SolidAccess::shells(solid);
     const Mesh& mesh = solid.mesh();
     // Features are named in the mesh as given. If edges were split, `whole` is this mesh, without the split.
@@ -38,5 +39,11 @@ ConvexSolid::ConvexSolid(std::shared_ptr<const Mesh> mesh)
 ConvexSolid::ConvexSolid(std::span<const Vec3> points) : ConvexSolid(convex_hull(points)) {}
 
 ConvexSolid::~ConvexSolid() = default;
+
+int ConvexSolid::dimension() const noexcept {
+    const Hull& hull = convex_parts_->hull;
+    if (!hull.is_flat()) return 3;
+    return hull.faces.empty() ? static_cast<int>(hull.edges.size()) : 2;
+}
 
 }  // namespace ecods

@@ -1,5 +1,6 @@
-// Describes the vertices, edges and faces of a convex solid. They do not depend on how its mesh divides faces into
-// triangles and edges into pieces.
+// Describes the vertices, edges and faces of a convex solid. A polygon has one face, which counts for both of its
+// sides; a segment has one edge and no face, a point one vertex alone. They do not depend on how its mesh divides faces
+// into triangles and edges into pieces.
 #pragma once
 
 #include <array>
@@ -14,11 +15,14 @@ namespace ecods::convex {
 
 // Vertices, edges and faces are each sorted by their names, so a lesser index means a lesser name.
 struct Hull {
+    static constexpr std::uint32_t no_face = ~std::uint32_t{0};
+
     struct Edge {
         Feature name;
         std::array<std::uint32_t, 2> ends;   // vertices of the hull, the lesser first
         std::array<std::uint32_t, 2> faces;  // the faces on the left and on the right of the
-                                             // direction from ends[0] to ends[1], seen from outside
+                                             // direction from ends[0] to ends[1], seen from outside;
+                                             // twice the face of a polygon, and no_face for a segment
     };
     struct Face {
         Feature name;
@@ -42,6 +46,8 @@ struct Hull {
     std::vector<Neighbor> neighbors;
     std::vector<std::uint32_t> neighbors_first;
 
+    // True for a polygon, a segment and a point.
+    bool is_flat() const noexcept { return faces.size() <= 1; }
     std::size_t vertex_count() const noexcept { return mesh_vertices.size(); }
     std::span<const Neighbor> neighbors_of(std::uint32_t vertex) const noexcept {
         return std::span(neighbors).subspan(neighbors_first[vertex],

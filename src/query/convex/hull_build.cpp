@@ -38,7 +38,7 @@ class Builder {
         name_vertices();
         add_edges();
         add_cycles();
-        add_neighbors();
+        add_neighbors(hull_);
         return std::move(hull_);
     }
 
@@ -179,22 +179,6 @@ class Builder {
         }
     }
 
-    void add_neighbors() {
-        std::vector<std::uint32_t>& first = hull_.neighbors_first;
-        first.assign(hull_.vertex_count() + 1, 0);
-        for (const Hull::Edge& edge : hull_.edges) {
-            for (const std::uint32_t end : edge.ends) ++first[end + 1];
-        }
-        for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
-        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-        hull_.neighbors.resize(2 * hull_.edges.size());
-        for (std::uint32_t e = 0; e < hull_.edges.size(); ++e) {
-            const auto& [a, b] = hull_.edges[e].ends;
-            hull_.neighbors[next[a]++] = {b, e};
-            hull_.neighbors[next[b]++] = {a, e};
-        }
-    }
-
     const Border& border_;
     std::span<const Triangle> triangles_;
     std::span<const Vec3> points_;
@@ -213,6 +197,22 @@ int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t ve
     const auto& [a, b, c] = border.proper->mesh->triangles()[triangle];
     const int sign = border.signs.orient3d(a, b, c, vertex);
     return border.turns_right(triangle) ? -sign : sign;
+}
+
+void add_neighbors(Hull& hull) {
+    std::vector<std::uint32_t>& first = hull.neighbors_first;
+    first.assign(hull.vertex_count() + 1, 0);
+    for (const Hull::Edge& edge : hull.edges) {
+        for (const std::uint32_t end : edge.ends) ++first[end + 1];
+    }
+    for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    hull.neighbors.resize(2 * hull.edges.size());
+    for (std::uint32_t e = 0; e < hull.edges.size(); ++e) {
+        const auto& [a, b] = hull.edges[e].ends;
+        hull.neighbors[next[a]++] = {b, e};
+        hull.neighbors[next[b]++] = {a, e};
+    }
 }
 
 Hull build_hull(const Border& border, std::span<const std::uint8_t> is_flat) {

@@ -7,6 +7,7 @@
 
 #include "exact/sign/vertex_signs.hpp"
 #include "query/convex/hull.hpp"
+#include "query/solid/flat_mesh.hpp"
 #include "query/solid/mesh_edges.hpp"
 #include "query/solid/proper_mesh.hpp"
 #include "query/solid/split_edges.hpp"
@@ -48,5 +49,11 @@ int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t ve
 // Builds the hull of a solid, which must be convex. `is_flat` says, by edge, whether its two triangles are in one
 // plane. Cost: n log n.
 Hull build_hull(const Border& border, std::span<const std::uint8_t> is_flat);
+
+// Builds the hull of a mesh that covers a flat convex set. Cost: n log n.
+Hull build_flat_hull(const ProperMesh& proper, const FlatMesh& flat);
+
+// Lists the neighbors of each vertex; all other members must be there.
+void add_neighbors(Hull& hull);
 
 }  // namespace ecods::convex

@@ -13,7 +13,6 @@
 #include <optional>
 
 #include "base/assert.hpp"
-#include "base/make_error.hpp"
 #include "ecods/predicates.hpp"
 #include "query/solid/proper_mesh.hpp"
 
@@ -24,11 +23,13 @@ constexpr std::uint32_t nothing = ~std::uint32_t{0};
 
 class QuickHull {
   public:
-    explicit QuickHull(std::span<const Vec3> points) : points_(points), next_(points.size(), nothing) {}
+    explicit QuickHull(std::span<const Vec3> points)
+        : points_(points), candidates_(distinct(points)), next_(points.size(), nothing) {}
 
     std::vector<Triangle> build() {
-        find_candidates();
-        begin(find_simplex());
+        const auto simplex = find_simplex();
+        if (!simplex) return {};
+        begin(*simplex);
         for (std::uint32_t i = 0; i < facets_.size(); ++i) {
             if (facets_[i].is_alive && facets_[i].first != nothing) add(take_furthest(i), i);
         }
@@ -66,14 +67,6 @@ class QuickHull {
         return (b - a).cross(c - a).dot(p - a);
     }
 
-    void find_candidates() {
-        const std::vector<std::uint32_t> least = least_equals(points_);
-        candidates_.reserve(points_.size());
-        for (std::uint32_t i = 0; i < points_.size(); ++i) {
-            if (least.empty() || least[i] == i) candidates_.push_back(i);
-        }
-    }
-
     // Returns the candidate with the greatest measure if good() is true for it; otherwise the first candidate for which
     // good() is true; nullopt if there is none.
     template <class Measure, class Good>
@@ -93,23 +86,22 @@ class QuickHull {
         return first == candidates_.end() ? std::nullopt : std::optional(*first);
     }
 
-    std::array<std::uint32_t, 4> find_simplex() const {
-        const auto require = [&](const std::optional<std::uint32_t>& point) {
-            if (!point) throw no_interior(points_.size());
-            return *point;
-        };
-        if (candidates_.size() < 4) throw no_interior(points_.size());
+    // Returns four candidates that are not in one plane; nullopt if there are none.
+    std::optional<std::array<std::uint32_t, 4>> find_simplex() const {
+        if (candidates_.size() < 4) return std::nullopt;
         const auto [low, high] = std::ranges::minmax_element(
             candidates_, [&](std::uint32_t i, std::uint32_t j) { return compare_points(at(i), at(j)) < 0; });
         const std::uint32_t a = *low, b = *high;
-        const std::uint32_t c =
-            require(find([&](std::uint32_t i) { return (at(b) - at(a)).cross(at(i) - at(a)).norm(); },
-                         [&](std::uint32_t i) { return have_area(at(a), at(b), at(i)); }));
-        const std::uint32_t d =
-            require(find([&](std::uint32_t i) { return std::abs(height(at(a), at(b), at(c), at(i))); },
-                         [&](std::uint32_t i) { return orient3d(at(a), at(b), at(c), at(i)) != Sign::zero; }));
-        if (orient3d(at(a), at(b), at(c), at(d)) == Sign::positive) return {a, c, b, d};
-        return {a, b, c, d};
+        const auto third = find([&](std::uint32_t i) { return (at(b) - at(a)).cross(at(i) - at(a)).norm(); },
+                                [&](std::uint32_t i) { return have_area(at(a), at(b), at(i)); });
+        if (!third) return std::nullopt;
+        const std::uint32_t c = *third;
+        const auto fourth = find([&](std::uint32_t i) { return std::abs(height(at(a), at(b), at(c), at(i))); },
+                                 [&](std::uint32_t i) { return orient3d(at(a), at(b), at(c), at(i)) != Sign::zero; });
+        if (!fourth) return std::nullopt;
+        const std::uint32_t d = *fourth;
+        if (orient3d(at(a), at(b), at(c), at(d)) == Sign::positive) return {{a, c, b, d}};
+        return {{a, b, c, d}};
     }
 
     // Begins with the facets of the simplex `s`. Its triangle 0, 1, 2 must be turned outwards: corner 3 is not beyond

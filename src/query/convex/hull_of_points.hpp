@@ -10,7 +10,7 @@ namespace ecods::convex {
 
 // Returns the triangles that make up the border of the hull, turned outwards; each edge is shared by two of them.
 // Corners are indices of points; among equal points the first one is used. A corner may lie inside a face or an edge of
-// the hull. Throws NotSolid if all points are in one plane.
+// the hull. Empty if all points are in one plane.
 std::vector<Triangle> triangulate_hull(std::span<const Vec3> points);
 
 }  // namespace ecods::convex

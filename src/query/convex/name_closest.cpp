@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "exact/measure/distance/closest_points.hpp"
 #include "exact/measure/distance/set_ends.hpp"
+#include "exact/measure/round/distance_beyond.hpp"
 #include "exact/measure/round/exact_point.hpp"
 #include "geometry/feature_key.hpp"
 #include "query/convex/closest_hulls.hpp"
@@ -23,8 +25,7 @@ namespace {
 
 using Kind = Feature::Kind;
 
-// A feature of each of the two solids.
-using Parts = std::array<HullFeature, 2>;
+using Parts = HullFeaturePair;
 
 // Returns the vertices of a feature; for a face, its first three.
 std::array<std::uint32_t, 3> corners_of(const Hull& hull, const HullFeature& part) noexcept {
@@ -37,11 +38,15 @@ std::array<std::uint32_t, 3> corners_of(const Hull& hull, const HullFeature& par
     return {cycle[0].vertex, cycle[1].vertex, cycle[2].vertex};
 }
 
+}  // namespace
+
 HullFeatures features_of(const PosedHulls& hulls, const Parts& parts) noexcept {
     const auto count = [&](std::size_t side) { return static_cast<std::size_t>(parts[side].kind) + 1; };
     return {{corners_of(hulls.hull(0), parts[0]), corners_of(hulls.hull(1), parts[1])},
             exact::features_of_counts(count(0), count(1))};
 }
+
+namespace {
 
 // Returns the distance in the unit of rounded points; infinity if it is not known to all of a double's digits.
 double rounded_distance(const PosedHulls& hulls, const exact::SquaredDistance& square) noexcept {
@@ -65,6 +70,20 @@ class Naming {
           least_(least),
           planar_(hulls, parts, normal, turned * rounded_distance(hulls, least)) {}
 
+    // Lists all pairs at the least distance.
+    void list(std::vector<Parts>& pairs) {
+        pairs.clear();
+        pairs_ = &pairs;
+        for (const std::size_t side : {0, 1}) places_[side].assign(planar_.vertex_count(side), {});
+        try_vertices();
+        for (const std::size_t side : {0, 1}) {
+            try_vertex_and_edge(side);
+            try_vertex_and_face(side);
+        }
+        try_edges();
+        ECODS_ASSERT(!pairs.empty());
+    }
+
     // Tries the kinds of pairs in the order of the rule. The first kind that has a pair at the least distance decides.
     Parts find() {
         try_vertices();
@@ -84,17 +103,22 @@ class Naming {
             for (std::size_t j = 0; j < planar_.vertex_count(1); ++j) {
                 if (!planar_.may_meet(i, j)) continue;
                 const Parts parts{planar_.vertex(0, i), planar_.vertex(1, j)};
-                if (is_first(parts) && holds(parts)) take(parts);
+                if (!is_wanted(parts) || !holds(parts)) continue;
+                take(parts);
+                place(0, i, Kind::vertex, j);
+                place(1, j, Kind::vertex, i);
             }
         }
     }
 
     void try_vertex_and_edge(std::size_t side) {
         for (std::size_t i = 0; i < planar_.vertex_count(side); ++i) {
-            for (std::size_t j = 0; j < planar_.edge_count(1 - side); ++j) {
+            for (std::size_t j = 0; j < planar_.edge_count(1 - side) && !is_placed(side, i); ++j) {
                 if (!planar_.may_be_on(side, i, j)) continue;
                 const Parts parts = of_sides(side, planar_.vertex(side, i), planar_.edge(1 - side, j));
-                if (is_first(parts) && holds(parts)) take(parts);
+                if (!is_wanted(parts) || !holds(parts)) continue;
+                take(parts);
+                place(side, i, Kind::edge, j);
             }
         }
     }
@@ -103,7 +127,7 @@ class Naming {
         if (parts_[1 - side].kind != Kind::face) return;
         for (std::size_t i = 0; i < planar_.vertex_count(side); ++i) {
             const Parts parts = of_sides(side, planar_.vertex(side, i), parts_[1 - side]);
-            if (!is_first(parts)) continue;
+            if (is_placed(side, i) || !is_wanted(parts)) continue;
             const Answer answer = planar_.is_inside(side, i);
             if (answer == Answer::yes || (answer == Answer::open && is_over(parts))) take(parts);
         }
@@ -113,9 +137,9 @@ class Naming {
         for (std::size_t i = 0; i < planar_.edge_count(0); ++i) {
             for (std::size_t j = 0; j < planar_.edge_count(1); ++j) {
                 const Answer answer = planar_.do_cross(i, j);
-                if (answer == Answer::no) continue;
+                if (answer == Answer::no || do_share_an_end(i, j)) continue;
                 const Parts parts{planar_.edge(0, i), planar_.edge(1, j)};
-                if (is_first(parts) && (answer == Answer::yes || holds(parts))) take(parts);
+                if (is_wanted(parts) && (answer == Answer::yes || holds(parts))) take(parts);
             }
         }
     }
@@ -126,13 +150,43 @@ class Naming {
     FeatureNames names_of(const Parts& parts) const noexcept {
         return {ClosestKind{}, name_of(hulls_.hull(0), parts[0]), name_of(hulls_.hull(1), parts[1])};
     }
-    // True if `parts` precede best_, which are of the same kinds, or if there are no best_ yet.
-    bool is_first(const Parts& parts) const noexcept {
-        return !has_best_ || rank(names_of(parts)) < rank(names_of(best_));
+    // True if all pairs are listed; if `parts` precede best_, which are of the same kinds; or if there are no best_
+    // yet.
+    bool is_wanted(const Parts& parts) const noexcept {
+        return pairs_ != nullptr || !has_best_ || rank(names_of(parts)) < rank(names_of(best_));
     }
-    void take(const Parts& parts) noexcept {
+    void take(const Parts& parts) {
+        if (pairs_ != nullptr) return pairs_->push_back(parts);
         best_ = parts;
         has_best_ = true;
+    }
+
+    // While all pairs are listed, each vertex that is at a vertex of the other polygon, or on an edge of it, keeps its
+    // place there. It is then at no other vertex, on no other edge and not in the face; and two edges that share an end
+    // of one of them cross nowhere else, unless they are parallel.
+    struct Place {
+        Kind kind = Kind::none;
+        std::size_t index = 0;
+    };
+    void place(std::size_t side, std::size_t i, Kind kind, std::size_t at) {
+        if (pairs_ != nullptr) places_[side][i] = {kind, at};
+    }
+    bool is_placed(std::size_t side, std::size_t i) const noexcept {
+        return pairs_ != nullptr && places_[side][i].kind != Kind::none;
+    }
+    std::size_t next(std::size_t side, std::size_t i) const noexcept {
+        return i + 1 == planar_.vertex_count(side) ? 0 : i + 1;
+    }
+    // True if vertex i of a polygon is placed on edge j of the other one, or at an end of this edge.
+    bool is_placed_on(std::size_t side, std::size_t i, std::size_t j) const noexcept {
+        const Place& at = places_[side][i];
+        if (at.kind == Kind::edge) return at.index == j;
+        return at.kind == Kind::vertex && (at.index == j || at.index == next(1 - side, j));
+    }
+    bool do_share_an_end(std::size_t i, std::size_t j) const noexcept {
+        if (pairs_ == nullptr) return false;
+        return is_placed_on(0, i, j) || is_placed_on(0, next(0, i), j) || is_placed_on(1, j, i) ||
+               is_placed_on(1, next(1, j), i);
     }
 
     // True if `parts` have exactly the least distance, and their closest points are inside them. They are no face.
@@ -184,9 +238,13 @@ class Naming {
     PlanarFeatures planar_;
     Parts best_;
     bool has_best_ = false;
+    std::vector<Parts>* pairs_ = nullptr;         // the list of all pairs; null if only the first one is wanted
+    std::array<std::vector<Place>, 2> places_{};  // by vertex of each polygon
 };
 
-ClosestPoints measure_named(PosedHulls& hulls, const Parts& parts, const exact::Radii& radii) {
+// Measures the named features: set(result, square, origin, ends, features, f) sets the distance and both points.
+template <class SetEnds>
+ClosestPoints measure_named(PosedHulls& hulls, const Parts& parts, const SetEnds& set) {
     const HullFeatures found = features_of(hulls, parts);
     return with_exact_features(hulls, found.vertices(), [&](const auto& points, const auto& features, const auto&) {
         exact::SquaredDistance square;
@@ -199,8 +257,14 @@ ClosestPoints measure_named(PosedHulls& hulls, const Parts& parts, const exact::
         result.kind = static_cast<ClosestKind>(found.features.kind);
         result.a = name_of(hulls.hull(0), parts[0]);
         result.b = name_of(hulls.hull(1), parts[1]);
-        exact::set_ends(result, square, origin, ends, features, found.features, radii);
+        set(result, square, origin, ends, features, found.features);
         return result;
+    });
+}
+
+ClosestPoints measure_closest(PosedHulls& hulls, const Parts& parts, const exact::Radii& radii) {
+    return measure_named(hulls, parts, [&](ClosestPoints& result, const auto&... of_features) {
+        set_ends(result, of_features..., radii);
     });
 }
 
@@ -208,14 +272,59 @@ ClosestPoints measure_named(PosedHulls& hulls, const Parts& parts, const exact::
 
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii) {
     const Parts parts{closest.part(hulls, 0), closest.part(hulls, 1)};
-    if (closest.are_only) return measure_named(hulls, parts, radii);
+    if (closest.are_only) return measure_closest(hulls, parts, radii);
     const Vec3 normal = round_direction(hulls, closest.found);
-    return measure_named(hulls, Naming(hulls, parts, square_of(hulls, closest.found), normal, 1).find(), radii);
+    return measure_closest(hulls, Naming(hulls, parts, square_of(hulls, closest.found), normal, 1).find(), radii);
 }
 
-ClosestPoints name_deepest(PosedHulls& hulls, const std::array<HullFeature, 2>& extreme, const Vec3& normal) {
-    const exact::SquaredDistance depth = square_of(hulls, features_of(hulls, extreme));
-    return measure_named(hulls, Naming(hulls, extreme, depth, normal, -1).find(), {});
+ClosestPoints name_deepest(PosedHulls& hulls, const LeastDifference& least, const exact::Radii& radii) {
+    const Parts parts = Naming(hulls, least.parts, square_of(hulls, least), least.normal, -1).find();
+    const exact::ExactSum sum = radii.sum();
+    if (sum.sign() == 0) return measure_closest(hulls, parts, {});
+    const exact::LongDirection out_of_a = exact_normal(hulls, least), out_of_b = -out_of_a;
+    return measure_named(
+        hulls, parts,
+        [&](ClosestPoints& result, const auto& square, const auto& origin, const auto& ends, const auto&...) {
+            result.distance = exact::round_signed_beyond(square, -sum);
+            result.point_a = exact::round_end(origin, ends[0], radii.a, out_of_a);
+            result.point_b = exact::round_end(origin, ends[1], radii.b, out_of_b);
+        });
+}
+
+LeastDifference least_of_closest(PosedHulls& hulls, const ClosestHulls& closest) {
+    const HullFeaturePair parts{closest.part(hulls, 0), closest.part(hulls, 1)};
+    return {parts, closest.found, round_direction(hulls, closest.found), false, false, closest.are_only};
+}
+
+LeastDifference least_of_deepest(PosedHulls& hulls, const HullFeaturePair& extreme, const Vec3& normal, bool is_zero) {
+    return {extreme, features_of(hulls, extreme), normal, true, is_zero};
+}
+
+// Flat solids may touch in parallel edges, which have no distance of their own.
+exact::SquaredDistance square_of(PosedHulls& hulls, const LeastDifference& least) {
+    return least.is_zero ? exact::SquaredDistance() : square_of(hulls, least.found);
+}
+
+exact::LongDirection exact_normal(PosedHulls& hulls, const LeastDifference& least) {
+    const exact::LongDirection found = with_exact_features(
+        hulls, least.found.vertices(), [&]<int L>(const auto&, const exact::ExactFeatures<L>& features, const auto&) {
+            return features.with_direction(
+                least.found.features, [&]<int M>(const exact::LimbVector<M>& n, bool is_turned) {
+                    if (!exact::is_zero_vector<M>(n)) return exact::LongDirection::of<M>(n, is_turned);
+                    const std::size_t along = least.parts[0].kind == Kind::edge ? 0 : 1;
+                    return exact::LongDirection::of<2 * L>(exact::across<L>(features.from(along, 0, 1)), false);
+                });
+        });
+    Eigen::Index axis = 0;
+    least.normal.cwiseAbs().maxCoeff(&axis);
+    const bool is_opposite = (found.x[static_cast<std::size_t>(axis)].sign() < 0) != (least.normal[axis] < 0);
+    return is_opposite ? -found : found;
+}
+
+void list_least(PosedHulls& hulls, const LeastDifference& least, std::vector<HullFeaturePair>& pairs) {
+    if (least.are_only) return pairs.assign(1, least.parts);
+    const int turned = least.is_depth ? -1 : 1;
+    Naming(hulls, least.parts, square_of(hulls, least), least.normal, turned).list(pairs);
 }
 
 }  // namespace ecods::convex

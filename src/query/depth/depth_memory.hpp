@@ -1,6 +1,7 @@
 // DepthMemory is the scratch memory of depth().
 #pragma once
 
+#include "query/convex/closest_hulls.hpp"
 #include "query/depth/inner_polytope.hpp"
 #include "query/depth/nearest_planes.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -18,5 +19,8 @@ struct DepthMemory final : QueryMemoryPart {
 
 // Returns the depth of two convex solids; nullopt if they share no point.
 std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory);
+
+// Describes the pairs of points that the translation of a depth brings together.
+convex::LeastDifference least_of(convex::PosedHulls& hulls, const ExactDepth& found);
 
 }  // namespace ecods::depths

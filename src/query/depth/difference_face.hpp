@@ -23,16 +23,19 @@ struct DifferenceVertex {
 
 // A face of the Minkowski difference: the feature of the first solid that is extreme along the face's outer normal, and
 // the feature of the second solid that is extreme in the opposite direction. One of the two is a face, or both are
-// edges that are not parallel.
+// edges that are not parallel. A polygon's face has two normals.
 using DifferenceFace = std::array<convex::HullFeature, 2>;
 
 // Orders faces at exactly the same distance, so that one can be chosen: faces of the first solid come first, then faces
-// of the second, then pairs of edges. No two faces of the Minkowski difference are equal in this order.
+// of the second, then pairs of edges. If a polygon is a face of both sides of the difference, the other solid's feature
+// decides: a vertex before an edge before a face, then by name. No two faces of the Minkowski difference, which lies in
+// no plane, are equal in this order.
 inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFace& y) noexcept {
-    const auto rank = [](const DifferenceFace& f) -> std::array<std::uint32_t, 3> {
-        if (f[0].kind == Feature::Kind::face) return {0, f[0].index, 0};
-        if (f[1].kind == Feature::Kind::face) return {1, f[1].index, 0};
-        return {2, f[0].index, f[1].index};
+    const auto rank = [](const DifferenceFace& f) -> std::array<std::uint32_t, 4> {
+        const auto kind = [&](std::size_t side) { return static_cast<std::uint32_t>(f[side].kind); };
+        if (f[0].kind == Feature::Kind::face) return {0, f[0].index, kind(1), f[1].index};
+        if (f[1].kind == Feature::Kind::face) return {1, f[1].index, kind(0), f[0].index};
+        return {2, f[0].index, f[1].index, 0};
     };
     return rank(x) <=> rank(y);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "query/depth/exact_expansion.hpp"
+#include "query/depth/flat_difference.hpp"
 
 namespace ecods::depths {
 namespace {
@@ -24,8 +25,19 @@ ExactPlane<L> plane_of(const ExactDifferences<L>& points, const std::array<Diffe
 }  // namespace
 
 std::optional<ExactDepth> exact_depth(const ConvexPair& pair) {
+    return with_points(pair, [&]<int L>(const ExactDifferences<L>& points) -> std::optional<ExactDepth> {
+        ExactExpansion<L> expansion(points);
+        const auto found = expansion.find();
+        if (!found) return std::nullopt;
+        return ExactDepth{found->face, exact::round_root(found->plane->square(points.unit())),
+                          exact::round_direction<2 * L>(found->plane->n)};
+    });
+}
+
+std::optional<ExactDepth> depth_in_plane(const ConvexPair& pair) {
+    if (!pair[0].hull->is_flat() || !pair[1].hull->is_flat()) return std::nullopt;
     return with_points(pair,
-                       [&]<int L>(const ExactDifferences<L>& points) { return ExactExpansion<L>(points).find(); });
+                       [&]<int L>(const ExactDifferences<L>& points) { return FlatDifference<L>(points).find(); });
 }
 
 ExactDepth measure_exactly(const ConvexPair& pair, const DifferenceFace& face,

@@ -17,7 +17,7 @@ struct ExactDepth {
     Vec3 direction = Vec3::Zero();
 };
 
-// Returns the depth; nullopt if the solids share no point.
+// Returns the depth; nullopt if the solids share no point. The Minkowski difference must lie in no plane.
 //
 // The algorithm grows the hull of some points of the Minkowski difference. It picks a face nearest to the origin; the
 // distance counts as negative if the origin is beyond the face. While that face is not in a face of the whole
@@ -31,6 +31,11 @@ struct ExactDepth {
 // rays are the normals of faces. The cone of the hull contains the difference's cone, and is no larger, since all
 // nearest faces of the hull are faces of the difference.
 std::optional<ExactDepth> exact_depth(const ConvexPair& pair);
+
+// Returns the depth of two flat solids that share a point, which is 0, if their Minkowski difference lies in a plane;
+// otherwise nullopt. The face is then all of the difference. Cost: constant, but for a sign for each vertex of a solid
+// beside a polygon.
+std::optional<ExactDepth> depth_in_plane(const ConvexPair& pair);
 
 // Returns the depth, given the nearest face. `corners` must be three vertices of the Minkowski difference in the plane
 // of this face, not on one line, counterclockwise seen from outside.

@@ -70,12 +70,26 @@ int compare(const ExactPlane<L>& x, const ExactPlane<L>& y) noexcept {
     return further(exact::compare(x.square(0), y.square(0)));
 }
 
+// The order of planes by their distances from the origin.
 template <int L>
+struct NearestFirst {
+    int operator()(const ExactPlane<L>& x, const ExactPlane<L>& y) const noexcept { return compare(x, y); }
+};
+
+// Finds the first face of the Minkowski difference in an order of planes; the order must put planes that have the
+// origin beyond them first, and must make all faces that tie at the end contain a common point of the border.
+template <int L, class Order = NearestFirst<L>>
 class ExactExpansion {
   public:
-    explicit ExactExpansion(const ExactDifferences<L>& points) : points_(points) {}
+    explicit ExactExpansion(const ExactDifferences<L>& points, const Order& order = {})
+        : points_(points), compare_(order) {}
 
-    std::optional<ExactDepth> find() {
+    struct Found {
+        DifferenceFace face;
+        const ExactPlane<L>* plane;  // valid as long as the expansion
+    };
+    // Returns the first face, the first by name if several tie; nullopt if the solids share no point.
+    std::optional<Found> find() {
         begin();
         std::optional<std::size_t> nearest;
         while ((nearest = next_face())) {
@@ -107,9 +121,20 @@ class ExactExpansion {
         return {points_.furthest(0, n, from.p).vertex, points_.furthest(1, n, from.q).vertex};
     }
 
-    // Begins with a tetrahedron of four points of the Minkowski difference that are not in one plane: three vertices of
-    // a face of the first solid and a vertex off that face, each minus the same vertex of the second solid.
+    // Begins with a tetrahedron of four points of the Minkowski difference that are not in one plane.
     void begin() {
+        points_.hull(0).is_flat() ? add_spanning() : add_beside_face();
+        const bool is_above = ExactPlane<L>(points_at_[0], points_at_[1], points_at_[2]).sign_at(points_at_[3]) > 0;
+        const std::uint32_t b = is_above ? 2 : 1, c = is_above ? 1 : 2;
+        add_face({0, b, c});
+        add_face({0, c, 3});
+        add_face({c, b, 3});
+        add_face({b, 0, 3});
+    }
+
+    // Adds three vertices of a face of the first solid and a vertex off that face, each minus the same vertex of the
+    // second solid.
+    void add_beside_face() {
         const convex::Hull& hull = points_.hull(0);
         const auto cycle = hull.cycle_of(0);
         for (std::size_t i = 0; i < 3; ++i) add_vertex({cycle[i].vertex, 0});
@@ -117,12 +142,27 @@ class ExactExpansion {
             hull.neighbors_of(cycle[0].vertex),
             [&](const convex::Hull::Neighbor& neighbor) { return !convex::is_edge_of(hull, neighbor.edge, 0); });
         add_vertex({beside->vertex, 0});
-        const bool is_above = ExactPlane<L>(points_at_[0], points_at_[1], points_at_[2]).sign_at(points_at_[3]) > 0;
-        const std::uint32_t b = is_above ? 2 : 1, c = is_above ? 1 : 2;
-        add_face({0, b, c});
-        add_face({0, c, 3});
-        add_face({c, b, 3});
-        add_face({b, 0, 3});
+    }
+
+    // Adds four vertices for a flat first solid: its own minus one vertex of the second solid, then one of its own
+    // minus those of the second. Together they span the difference.
+    void add_spanning() {
+        add_vertex({0, 0});
+        for (const std::size_t side : {0, 1}) {
+            for (std::uint32_t v = 1; v < points_.hull(side).vertex_count() && vertices_.size() < 4; ++v) {
+                const DifferenceVertex next = side == 0 ? DifferenceVertex{v, 0} : DifferenceVertex{0, v};
+                if (leaves_span(points_.difference(next))) add_vertex(next);
+            }
+        }
+    }
+
+    // True if the point, which is none of the up to three vertices, is not on their line or in their plane.
+    bool leaves_span(const Point& m) const noexcept {
+        const std::vector<Point>& at = points_at_;
+        if (at.size() == 1) return true;
+        if (at.size() == 2)
+            return !exact::is_parallel<L>(exact::difference<L>(at[1], at[0]), exact::difference<L>(m, at[0]));
+        return ExactPlane<L>(at[0], at[1], at[2]).sign_at(m) != 0;
     }
 
     std::uint32_t add_vertex(const DifferenceVertex& v) {
@@ -141,7 +181,7 @@ class ExactExpansion {
     std::optional<std::size_t> next_face() const noexcept {
         std::size_t nearest = 0;
         for (std::size_t i = 1; i < faces_.size(); ++i) {
-            const int sign = compare(faces_[i].plane, faces_[nearest].plane);
+            const int sign = compare_(faces_[i].plane, faces_[nearest].plane);
             if (sign < 0 || (sign == 0 && !faces_[i].is_final)) nearest = i;
         }
         if (faces_[nearest].is_final) return std::nullopt;
@@ -165,22 +205,21 @@ class ExactExpansion {
             add_face({static_cast<std::uint32_t>(border_[i] >> 32), static_cast<std::uint32_t>(border_[i]), apex});
     }
 
-    ExactDepth first_of_nearest() const {
+    Found first_of_nearest() const {
         const Face* nearest = nullptr;
         for (const Face& face : faces_) {
-            if (nearest == nullptr || compare(face.plane, nearest->plane) < 0) nearest = &face;
+            if (nearest == nullptr || compare_(face.plane, nearest->plane) < 0) nearest = &face;
         }
         const Face* first = nullptr;
         DifferenceFace names;
         for (const Face& face : faces_) {
-            if (compare(face.plane, nearest->plane) != 0) continue;
+            if (compare_(face.plane, nearest->plane) != 0) continue;
             const DifferenceFace other = names_of(face);
             if (first != nullptr && order_of(other, names) >= 0) continue;
             first = &face;
             names = other;
         }
-        return {names, exact::round_root(first->plane.square(points_.unit())),
-                exact::round_direction<2 * L>(first->plane.n)};
+        return {names, &first->plane};
     }
 
     // Returns the features of both solids that form a final face. The face's corners are extreme along its normal.
@@ -193,6 +232,7 @@ class ExactExpansion {
     }
 
     ExactDifferences<L> points_;
+    Order compare_;
     std::vector<DifferenceVertex> vertices_;
     std::vector<Point> points_at_;  // by vertex
     std::vector<Face> faces_;

@@ -1,9 +1,13 @@
+#include "base/double_key.hpp"
+#include "query/convex/closest_hulls.hpp"
 #include "query/depth/depth_memory.hpp"
 
 namespace ecods::depths {
 
 std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory) {
     const ConvexPair pair{ConvexBody{&hulls.hull(0), hulls.body(0)}, ConvexBody{&hulls.hull(1), hulls.body(1)}};
+    if (const std::optional<ExactDepth> flat = depth_in_plane(pair))
+        return convex::find_closest(hulls, nullptr) ? std::nullopt : flat;
     switch (memory.polytope.find(hulls)) {
         case InnerPolytope::End::apart:
             return std::nullopt;
@@ -13,6 +17,10 @@ std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& mem
         default:
             return exact_depth(pair);
     }
+}
+
+convex::LeastDifference least_of(convex::PosedHulls& hulls, const ExactDepth& found) {
+    return convex::least_of_deepest(hulls, found.face, found.direction, key_of(found.depth) == 0);
 }
 
 }  // namespace ecods::depths

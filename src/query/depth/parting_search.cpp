@@ -1,13 +1,15 @@
-// Searches for partings by heuristics. No computation here has to be right, because solid_relation() confirms each
+// Searches for partings by heuristics. No computation here has to be right, because are_parted() confirms each
 // result.
 #include "query/depth/parting_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/double_key.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/shape/mesh_tree.hpp"
 #include "query/solid/relations.hpp"
+#include "query/solid/solid_parts.hpp"
 
 namespace ecods::depths {
 namespace {
@@ -77,11 +79,18 @@ void PartingSearch::add_direction(const Vec3& n) {
 bool PartingSearch::confirm(const Vec3& parted) {
     const double length = length_above(parted - b_.pose.t);
     if (!parted.allFinite() || !(length < best_.length)) return false;
-    const Posed<Solid> moved(*b_.what, {b_.pose.R, parted});
-    const Relation relation = solid_relation(a_, moved, memory_);
-    if (relation != Relation::apart && relation != Relation::touching) return false;
+    if (!are_parted({*b_.what, {b_.pose.R, parted}})) return false;
     best_ = {parted, length, {}};
     return true;
+}
+
+bool PartingSearch::are_parted(const Posed<Solid>& moved) const {
+    if (has_inside(*a_.what) && has_inside(*b_.what)) return solid_relation(a_, moved, memory_) <= Relation::touching;
+    const auto convex = [](const Posed<Solid>& solid) {
+        return Posed<ConvexSolid>(static_cast<const ConvexSolid&>(*solid.what), solid.pose);
+    };
+    const auto deep = depth(convex(a_), convex(moved), memory_);
+    return !deep || key_of(deep->depth) == 0;
 }
 
 void PartingSearch::try_length(const Vec3& direction, double length) {

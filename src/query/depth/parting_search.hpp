@@ -1,5 +1,5 @@
 // Searches for a short translation of the second of two solids that parts their interiors. Every translation is
-// confirmed by solid_relation().
+// confirmed by solid_relation(); of convex solids of which one is flat, by depth().
 #pragma once
 
 #include <array>
@@ -49,6 +49,7 @@ class PartingSearch {
     Vec3 contact_point(const FirstContact& contact, const Vec3& parted) const;
     Vec3 corner(bool second, const FirstContact& contact, std::uint32_t i) const;
     bool confirm(const Vec3& parted);
+    bool are_parted(const Posed<Solid>& moved) const;
 
     const Posed<Solid>& a_;
     const Posed<Solid>& b_;

@@ -21,4 +21,18 @@ std::vector<ClosestPoints> surface::close_triangles(const Posed<MeshShape>& a, c
     return result;
 }
 
+std::optional<std::vector<TrianglePair>> surface::pairs_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
+                                                               double d, std::size_t most, QueryMemory& memory) {
+    std::vector<TrianglePair> pairs;
+    bool are_too_many = false;
+    DistanceSearch search(a, b, memory);
+    search.visit_within(d, [&](const TrianglePair& pair, const DistanceInterval&) {
+        are_too_many = pairs.size() == most;
+        if (!are_too_many) pairs.push_back(pair);
+        return !are_too_many;
+    });
+    if (are_too_many) return std::nullopt;
+    return pairs;
+}
+
 }  // namespace ecods

@@ -12,17 +12,13 @@ ClosestPoints closest_of_intersecting(const Posed<MeshShape>& a, const Posed<Mes
     return search.exact_pair().closest(first.a, first.b);
 }
 
-}  // namespace
-
-ClosestPoints surface::closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask,
-                               const exact::Radii& radii) {
-    Asking asking(ask);
-    QueryMemory& memory = asking.memory();
-    DistanceSearch search(a, b, memory);
+// Finds the closest points, and leaves their triangles as a witness.
+ClosestPoints find_closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, DistanceSearch& search, Asking& asking,
+                           const exact::Radii& radii) {
     search.run({}, asking.witness());
     ClosestPoints result;
     if (search.sieve().is_zero()) {
-        result = closest_of_intersecting(a, b, search, memory);
+        result = closest_of_intersecting(a, b, search, asking.memory());
     } else {
         // Every pair of triangles at the least distance is open, or an open pair that has the same features precedes it
         // in the order of triangles.
@@ -33,6 +29,25 @@ ClosestPoints surface::closest(const Posed<MeshShape>& a, const Posed<MeshShape>
     }
     asking.witness() = {result.a.triangle, result.b.triangle};
     return result;
+}
+
+}  // namespace
+
+ClosestPoints surface::closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask,
+                               const exact::Radii& radii) {
+    Asking asking(ask);
+    DistanceSearch search(a, b, asking.memory());
+    return find_closest(a, b, search, asking, radii);
+}
+
+std::optional<CloseFeatures> surface::signed_closest(const Body& a, const Body& b, const Ask& ask,
+                                                     const exact::Radii& radii) {
+    Asking asking(ask);
+    DistanceSearch search(a, b, asking.memory());
+    ClosestPoints at = find_closest(a, b, search, asking, radii);
+    if (at.kind == ClosestKind::intersecting) return std::nullopt;
+    at.distance = search.exact_pair().signed_beyond(at.triangles(), radii.sum());
+    return CloseFeatures{at, search.exact_pair().measure({at.kind, at.a, at.b}).direction};
 }
 
 }  // namespace ecods

@@ -1,10 +1,24 @@
 #include "base/limits.hpp"
+#include "exact/measure/round/distance_beyond.hpp"
 #include "query/distance/distance_search.hpp"
 #include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
 #include "query/intersection/surface_intersection.hpp"
 
 namespace ecods {
+namespace {
+
+// The order of D less the margin is that of D. It is that of the real distances: under cancellation, D less the margin
+// has digits that the rounded D has not. So pairs with the least real distance are found, as in closest().
+TrianglePair find_nearest(DistanceSearch& search, PairWitness& witness) {
+    const auto& open = search.sieve().keep_least(
+        [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });
+    const TrianglePair nearest = open.front().triangles;
+    witness = {nearest.a, nearest.b};
+    return nearest;
+}
+
+}  // namespace
 
 double surface::distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     Asking asking(ask);
@@ -14,21 +28,28 @@ double surface::distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, c
     return result;
 }
 
-// The order of D less the margin is that of D. It is that of the real distances: under cancellation, D less the margin
-// has digits that the rounded D has not. So pairs with the least real distance are found, as in closest().
 double surface::distance_beyond(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const exact::ExactSum& margin,
                                 const Ask& ask) {
     Asking asking(ask);
     DistanceSearch search(a, b, asking.memory());
     search.run({.stop_at = margin.lower()}, asking.witness());
-    DistanceSieve& sieve = search.sieve();
+    const DistanceSieve& sieve = search.sieve();
     if (sieve.nearest().a != PairWitness::none) asking.witness() = sieve.nearest();
     if (sieve.is_decided()) return 0;
-    const auto& open = sieve.keep_least(
-        [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });
-    const TrianglePair nearest = open.front().triangles;
-    asking.witness() = {nearest.a, nearest.b};
-    return search.exact_pair().distance_beyond(nearest, margin);
+    return search.exact_pair().distance_beyond(find_nearest(search, asking.witness()), margin);
+}
+
+double surface::signed_beyond(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const exact::ExactSum& margin,
+                              const Ask& ask) {
+    Asking asking(ask);
+    DistanceSearch search(a, b, asking.memory());
+    search.run({}, asking.witness());
+    const DistanceSieve& sieve = search.sieve();
+    if (sieve.is_zero()) {
+        if (sieve.nearest().a != PairWitness::none) asking.witness() = sieve.nearest();
+        return exact::round_signed_beyond({}, margin);
+    }
+    return search.exact_pair().signed_beyond(find_nearest(search, asking.witness()), margin);
 }
 
 bool surface::within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "bvh/walks/walk_two.hpp"
@@ -44,7 +45,8 @@ class DistanceSearch {
     // Returns the least distance of the open pairs, rounded once. Call after run(), only if a pair is open.
     double round_least();
 
-    // Calls visit(pair, interval) for every pair of triangles within d; `interval` contains the pair's distance.
+    // Calls visit(pair, interval) for every pair of triangles within d; `interval` contains the pair's distance. A
+    // visit may return a bool: false ends the walk.
     template <class Visit>
     void visit_within(double d, Visit&& visit);
 
@@ -72,8 +74,13 @@ void DistanceSearch::visit_within(double d, Visit&& visit) {
     const auto take = [&](std::uint32_t i, std::uint32_t j) {
         const DistanceInterval interval = question_.enclose({i, j}, d);
         const auto exact = [&] { return exact_pair().compare(i, j, d) <= 0; };
-        if (is_within(interval.lower, interval.upper, d, exact)) visit(TrianglePair{i, j}, interval);
-        return true;
+        if (!is_within(interval.lower, interval.upper, d, exact)) return true;
+        if constexpr (std::is_same_v<decltype(visit(TrianglePair{i, j}, interval)), bool>) {
+            return visit(TrianglePair{i, j}, interval);
+        } else {
+            visit(TrianglePair{i, j}, interval);
+            return true;
+        }
     };
     walk_two(bodies_.a.tree.boxes, bodies_.b.tree.boxes, state.stack, bound, take);
 }

@@ -2,6 +2,8 @@
 // meshes, whatever forms their shapes have.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "base/limits.hpp"
@@ -30,10 +32,19 @@ bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance)
 double distance(const Body& a, const Body& b, const Ask& ask);
 // Returns the distance less the margin, rounded once; 0 if the margin is at least the distance.
 double distance_beyond(const Body& a, const Body& b, const exact::ExactSum& margin, const Ask& ask);
+// Returns the same difference, also if it is negative, for a margin of either sign.
+double signed_beyond(const Body& a, const Body& b, const exact::ExactSum& margin, const Ask& ask);
 bool within(const Body& a, const Body& b, double max_distance, const Ask& ask);
 bool within(const Body& a, const Body& b, const exact::Limit& limit, const Ask& ask);
 ClosestPoints closest(const Body& a, const Body& b, const Ask& ask, const exact::Radii& radii = {});
+// Returns the closest points of the rounded surfaces with their direction, and the distance less the radii, also if
+// that is negative; nullopt if the surfaces share a point.
+std::optional<CloseFeatures> signed_closest(const Body& a, const Body& b, const Ask& ask, const exact::Radii& radii);
 DistanceBounds distance_bounds(const Body& a, const Body& b, const DistanceTolerance& tolerance, const Ask& ask);
+// Returns the pairs of triangles within d, which must be finite and not negative; nullopt if there are more than
+// `most`.
+std::optional<std::vector<TrianglePair>> pairs_within(const Body& a, const Body& b, double d, std::size_t most,
+                                                      QueryMemory& memory);
 std::vector<ClosestPoints> close_triangles(const Body& a, const Body& b, double max_distance, const Ask& ask);
 std::vector<CloseFeatures> close_features(const Body& a, const Body& b, double max_distance, const Ask& ask);
 std::vector<TriangleIntersection> intersections(const Body& a, const Body& b, const Ask& ask);

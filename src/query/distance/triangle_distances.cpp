@@ -75,6 +75,10 @@ double TriangleDistances::distance_beyond(const TrianglePair& pair, const ExactS
     return round_beyond(measured(pair).square, margin);
 }
 
+double TriangleDistances::signed_beyond(const TrianglePair& pair, const ExactSum& margin) {
+    return round_signed_beyond(measured(pair).square, margin);
+}
+
 int TriangleDistances::compare(const TrianglePair& pair, const ExactSum& d) {
     return exact::compare(measured(pair).square, d);
 }

@@ -56,6 +56,8 @@ class TriangleDistances {
 
     // Returns the distance of a pair less the margin, rounded once (exact::round_beyond).
     double distance_beyond(const TrianglePair& pair, const exact::ExactSum& margin);
+    // Returns the same difference, also if it is negative (exact::round_signed_beyond).
+    double signed_beyond(const TrianglePair& pair, const exact::ExactSum& margin);
 
     // Return the sign of (the real distance of triangles i and j) - d, for a number d >= 0.
     int compare(std::uint32_t i, std::uint32_t j, double d);

@@ -7,7 +7,9 @@
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "ecods/half_space.hpp"
+#include "exact/measure/round/round_root_sum.hpp"
 #include "exact/number/exact_sum.hpp"
+#include "exact/number/root_sum.hpp"
 #include "exact/point/posed_point.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/body/posed_body.hpp"
@@ -16,6 +18,7 @@
 #include "query/half_space/round.hpp"
 #include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
+#include "query/solid/solid_parts.hpp"
 
 namespace ecods {
 namespace half_spaces {
@@ -29,7 +32,7 @@ class Asked {
     Asked(const CoreAndRadius& body, const Posed<HalfSpace>& half_space, const Ask& ask)
         : asking_(ask),
           body_(body.core),
-          is_solid_(body.core.what->form() != MeshForm::surface),
+          is_solid_(has_inside(*body.core.what)),
           radius_(body.radius),
           plane_(half_space),
           heights_(plane_, body.core.pose) {
@@ -64,17 +67,8 @@ class Asked {
 
     SignedDistance signed_distance() {
         find_lowest();
-        const ScaledInteger height = this->height();
-        const exact::ScaledLongVector point = exact::posed_point(body_.boundary().pose, vertex());
-        SignedDistance result;
-        result.distance = round_ratio(height, square(), -radius());
-        result.kind = ClosestKind::vertex_face;
-        result.a = feature();
-        result.b = plane_feature;
-        result.point_a = round_lowest(point, radius(), plane_);
-        result.point_b = round_foot(point, height, plane_);
-        result.direction = round_inward(plane_);
-        return result;
+        const ClosestPoints points = lowest_points(height());
+        return {points.distance, points.kind, points.a, points.b, points.point_a, points.point_b, round_inward(plane_)};
     }
 
     double distance() {
@@ -87,23 +81,20 @@ class Asked {
     ClosestPoints closest() {
         find_lowest();
         const ScaledInteger height = this->height();
-        const exact::ScaledLongVector point = exact::posed_point(body_.boundary().pose, vertex());
         if (height.sign() <= 0) {
-            const Vec3 rounded = round_point(point);
-            return {0, ClosestKind::contained, feature(), no_feature, rounded, rounded};
+            const Vec3 point = round_point(exact::posed_point(body_.boundary().pose, vertex()));
+            return {0, ClosestKind::contained, feature(), no_feature, point, point};
         }
-        return {positive_part(round_ratio(height, square(), -radius())),
-                ClosestKind::vertex_face,
-                feature(),
-                plane_feature,
-                round_lowest(point, radius(), plane_),
-                round_foot(point, height, plane_)};
+        ClosestPoints points = lowest_points(height);
+        points.distance = positive_part(points.distance);
+        return points;
     }
 
     std::optional<FirstContact> cast(const Vec3& motion, double latest) {
         const ScaledInteger rise = plane_.along(motion);
         if (rise.sign() >= 0 && !intersects()) return std::nullopt;
         find_lowest();
+        if (has_radius() && heights_.sign(vertex()) > 0) return cast_ball(rise, latest);
         if (heights_.sign(vertex()) <= 0) return FirstContact{0, ClosestKind::contained, feature(), no_feature};
         const Quotient time(height(), -rise);
         if (exact::compare(time.ref(), latest) > 0) return std::nullopt;
@@ -111,6 +102,17 @@ class Asked {
     }
 
   private:
+    // Casts the ball around the lowest vertex, whose center is above the plane: it is at the height r |N| at the time
+    // (h - r |N|) / -rise.
+    std::optional<FirstContact> cast_ball(const ScaledInteger& rise, double latest) {
+        FirstContact contact{0, ClosestKind::vertex_face, feature(), plane_feature};
+        if (sign_of_distance(heights_) <= 0) return contact;
+        const exact::RootSum time = exact::root_quotient(height(), radius() * radius() * square(), -rise, true);
+        if (exact::compare(time, ScaledInteger(latest)) > 0) return std::nullopt;
+        contact.time = exact::round_signed(time);
+        return contact;
+    }
+
     bool has_radius() const noexcept { return key_of(radius_) != 0; }
     ScaledInteger radius() const { return radius_; }
     const ScaledInteger& square() const { return plane_.exact().square; }
@@ -120,6 +122,12 @@ class Asked {
     void find_lowest() { lowest_ = half_spaces::find_lowest(shape(), heights_, asking_.memory()); }
     const Vec3& vertex() const noexcept { return shape().mesh().vertices()[lowest_.vertex]; }
     ScaledInteger height() const { return heights_.exact(vertex()); }
+    // Returns the signed distance, and the points of the body and the plane that are that far from each other.
+    ClosestPoints lowest_points(const ScaledInteger& height) const {
+        const exact::ScaledLongVector point = exact::posed_point(body_.boundary().pose, vertex());
+        return {round_ratio(height, square(), -radius()), ClosestKind::vertex_face,         feature(), plane_feature,
+                round_lowest(point, radius(), plane_),    round_foot(point, height, plane_)};
+    }
     Feature feature() const noexcept {
         Feature feature = lowest_.feature();
         body_.rename(feature);
@@ -208,6 +216,12 @@ ClosestPoints closest(const Posed<Rounded>& body, const Posed<HalfSpace>& half_s
 }
 
 std::optional<FirstContact> cast(const Posed<MeshShape>& body, const Vec3& motion, const Posed<HalfSpace>& half_space,
+                                 double max_time, const Ask& ask) {
+    const double latest = require_time(max_time);
+    validate_motion(motion);
+    return Asked(body, half_space, ask).cast(motion, latest);
+}
+std::optional<FirstContact> cast(const Posed<Rounded>& body, const Vec3& motion, const Posed<HalfSpace>& half_space,
                                  double max_time, const Ask& ask) {
     const double latest = require_time(max_time);
     validate_motion(motion);

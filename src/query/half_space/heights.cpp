@@ -7,6 +7,7 @@
 #include "base/arithmetic.hpp"
 #include "ecods/error.hpp"
 #include "ecods/predicates.hpp"
+#include "exact/point/posed_point.hpp"
 #include "exact/point/vectors.hpp"
 
 namespace ecods::half_spaces {
@@ -18,10 +19,6 @@ using ExactVector = exact::ScaledLongVector;
 constexpr double size_max = 0x1p100;
 constexpr double underflow = 0x1p-600;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-ExactVector exact_of(const Vec3& v) {
-    return {ScaledInteger(v[0]), ScaledInteger(v[1]), ScaledInteger(v[2])};
-}
 
 // Returns x, or -x if the sign is negative.
 ScaledInteger turned(const ScaledInteger& x, int sign) {
@@ -72,9 +69,10 @@ Plane::Plane(const Posed<HalfSpace>& posed, int argument)
 
 const Plane::Exact& Plane::exact() const {
     if (exact_) return *exact_;
-    const ExactVector r[3] = {exact_of(pose_.R.col(0)), exact_of(pose_.R.col(1)), exact_of(pose_.R.col(2))};
+    const ExactVector r[3] = {exact::exact_vector(pose_.R.col(0)), exact::exact_vector(pose_.R.col(1)),
+                              exact::exact_vector(pose_.R.col(2))};
     const ExactVector C[3] = {cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])};
-    const ExactVector n = exact_of(half_space_.normal());
+    const ExactVector n = exact::exact_vector(half_space_.normal());
     Exact result;
     for (std::size_t k = 0; k < 3; ++k) result.N[k] = turned(dot({C[0][k], C[1][k], C[2][k]}, n), orientation_);
     result.E = turned(dot(r[0], C[0]) * ScaledInteger(half_space_.offset()), orientation_);
@@ -83,7 +81,7 @@ const Plane::Exact& Plane::exact() const {
 }
 
 ScaledInteger Plane::along(const Vec3& vector) const {
-    return dot(exact().N, exact_of(vector));
+    return dot(exact().N, exact::exact_vector(vector));
 }
 
 HeightBounds Plane::times_length(double d) const noexcept {
@@ -127,7 +125,7 @@ ScaledInteger Heights::exact(const Vec3& v) const {
         result.c = turned(plane_.height(body_.t), side);
         exact_.emplace(std::move(result));
     }
-    return dot(exact_->M, exact_of(v)) + exact_->c;
+    return dot(exact_->M, exact::exact_vector(v)) + exact_->c;
 }
 
 int Heights::sign(const Vec3& v) const {

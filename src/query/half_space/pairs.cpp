@@ -1,10 +1,17 @@
 // Answers questions about two half spaces. They share a point unless their normals are opposed.
 //
 // With N2 = -(b / a) N1 for a, b > 0, the sets N1 . x <= F1 and N2 . x <= F2 are N1 . x <= F1 and N1 . x >= -F2 a / b.
-// So they are apart if the gap -(F1 b + F2 a) is positive, and then by gap / (b |N1|).
+// So they are apart if the gap -(F1 b + F2 a) is positive, and then by gap / (b |N1|). Translations by m1 and m2 take
+// N1 . m1 b + N2 . m2 a off the gap.
+#include <optional>
+
 #include "base/limits.hpp"
+#include "ecods/error.hpp"
 #include "ecods/half_space.hpp"
+#include "geometry/find_invalid.hpp"
+#include "geometry/same_bits.hpp"
 #include "query/half_space/heights.hpp"
+#include "query/half_space/lowest.hpp"
 #include "query/half_space/round.hpp"
 
 namespace ecods {
@@ -34,6 +41,8 @@ class TwoPlanes {
         const ScaledInteger x = F1 * size2, y = F2 * size1;
         gap_ = direction_ < 0 ? -(x + y) : y - x;
         square_ = size2 * size2 * first_.exact().square;
+        size1_ = size1;
+        size2_ = size2;
     }
 
     bool are_opposed() const noexcept { return direction_ < 0; }
@@ -45,12 +54,31 @@ class TwoPlanes {
     const ScaledInteger& square() const noexcept { return square_; }
     bool are_apart() const noexcept { return are_opposed() && gap_.sign() > 0; }
 
+    // Return what a translation of the first, or second, half space from one point to another takes off the gap.
+    ScaledInteger closed_by_first(const Vec3& from, const Vec3& to) const {
+        return (first_.along(to) - first_.along(from)) * size2_;
+    }
+    ScaledInteger closed_by_second(const Vec3& from, const Vec3& to) const {
+        return (second_.along(to) - second_.along(from)) * size1_;
+    }
+
+    // Returns the first contact, if so much is taken off the gap in the time from 0 to 1.
+    std::optional<FirstContact> meet(const ScaledInteger& closed, double latest) const {
+        FirstContact contact{0, ClosestKind::intersecting, half_spaces::plane_feature, half_spaces::plane_feature};
+        if (!are_apart()) return contact;
+        if (closed.sign() <= 0) return std::nullopt;
+        const half_spaces::Quotient time(gap_, closed);
+        if (exact::compare(time.ref(), latest) > 0) return std::nullopt;
+        contact.time = exact::round_fraction(time.ref());
+        return contact;
+    }
+
   private:
     static ScaledInteger offset(const Plane& plane, const Pose& pose) { return plane.exact().E + plane.along(pose.t); }
 
     Plane first_, second_;
     int direction_ = 0;  // 1 or -1 if the planes are parallel: of the normals to each other
-    ScaledInteger gap_, square_;
+    ScaledInteger gap_, square_, size1_, size2_;
 };
 
 }  // namespace
@@ -77,6 +105,25 @@ bool within(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b, double max_dis
     const TwoPlanes planes(a, b);
     return !planes.are_apart() || key_of(max_distance) == infinity_key ||
            half_spaces::compare_ratio(planes.gap(), planes.square(), ScaledInteger(max_distance)) <= 0;
+}
+
+std::optional<FirstContact> cast(const Posed<HalfSpace>& a, const Vec3& motion, const Posed<HalfSpace>& b,
+                                 double max_time, const Ask& /*ask*/) {
+    const double latest = require_time(max_time);
+    validate_motion(motion);
+    const TwoPlanes planes(a, b);
+    return planes.meet(planes.closed_by_first(Vec3::Zero(), motion), latest);
+}
+
+std::optional<FirstContact> cast(const Moving<HalfSpace>& a, const Moving<HalfSpace>& b, double max_time,
+                                 const Ask& /*ask*/) {
+    const double latest = require_time(max_time);
+    const TwoPlanes planes({*a.what, a.from}, {*b.what, b.from});
+    const bool are_translated = same_bits(a.from.R, a.to.R) && same_bits(b.from.R, b.to.R);
+    if (planes.are_apart() && !are_translated) {
+        throw NotSupported(Question::cast_moving, ShapeKind::half_space(), ShapeKind::half_space());
+    }
+    return planes.meet(planes.closed_by_first(a.from.t, a.to.t) + planes.closed_by_second(b.from.t, b.to.t), latest);
 }
 
 }  // namespace ecods

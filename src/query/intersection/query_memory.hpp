@@ -22,7 +22,8 @@ struct QueryMemory::State {
     SeparatingAxes axes;
     std::vector<NodePair> stack;
     QueryCounts counts;
-    std::unique_ptr<QueryMemoryPart> distance, point, hit, cast, moving, solid, convex, depth, half_space, certificate;
+    std::unique_ptr<QueryMemoryPart> distance, point, hit, cast, moving, solid, convex, depth, half_space, certificate,
+        closest_pairs;
 };
 
 struct QueryMemoryAccess {

@@ -52,8 +52,9 @@ Location locate(const Vec3& point, const Posed<Solid>& solid, const Ask& ask) {
     const Pose at{Mat3::Identity(), point};
     own.frame.bind(std::array{body.ref(), MeshBody(point_shape(), at).ref()});
     RayQuery rays(own.frame, 0, body.tree, own.stack, state.counts);
-    const bool is_regular = exact::is_regular(solid.pose.R);
-    const RayQuery::Place place = is_regular ? rays.place_of({1, 0}) : rays.flat_place_of({1, 0});
+    const bool may_be_inside = has_inside(*solid.what) && exact::is_regular(solid.pose.R);
+    const RayQuery::Place place =
+        may_be_inside ? rays.place_of({1, 0}) : rays.flat_place_of({1, 0}, SolidAccess::parts(*solid.what).has_area);
     if (place.on) return {Side::on, *place.on};
     return {place.is_inside ? Side::inside : Side::outside, {}};
 }

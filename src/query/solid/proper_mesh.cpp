@@ -65,6 +65,16 @@ std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices) {
     return least;
 }
 
+std::vector<std::uint32_t> distinct(std::span<const Vec3> points) {
+    const std::vector<std::uint32_t> least = least_equals(points);
+    std::vector<std::uint32_t> result;
+    result.reserve(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        if (least.empty() || least[i] == i) result.push_back(i);
+    }
+    return result;
+}
+
 bool have_area(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
     using namespace exact;
     static const Pose identity;

@@ -23,6 +23,9 @@ struct ProperMesh {
 // same coordinates.
 std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices);
 
+// Returns the points, of equal ones the first, as ascending indices.
+std::vector<std::uint32_t> distinct(std::span<const Vec3> points);
+
 // Replaces corners by the least vertices with the same coordinates, and finds the triangles of positive area. Cost: one
 // pass over the vertices, with a hash table, and one over the triangles.
 ProperMesh find_proper(std::shared_ptr<const Mesh> mesh);

@@ -158,15 +158,14 @@ void note(const PointFeature& feature, std::uint32_t triangle, RayQuery::Place& 
 
 }  // namespace
 
-RayQuery::Place RayQuery::flat_place_of(VertexRef point) {
+RayQuery::Place RayQuery::flat_place_of(VertexRef point, std::span<const std::uint8_t> has_area) {
     Place place{false, {}};
     TreeRay at;
     const BodyRef& body = frame_.body(body_);
     if (!set_point(at, tree_.boxes, body.pose->R, origin_of(point))) return place;
-    const auto vertices = body.mesh->vertices();
     walk(at, [&](std::uint32_t index) {
+        if (!has_area.empty() && has_area[index] == 0) return true;
         const Triangle& x = triangle_at(body_, index);
-        if (!have_area(vertices[x[0]], vertices[x[1]], vertices[x[2]])) return true;
         note(with_signs(frame_, corners_and(body_, x, point), [](auto& signs) { return feature_at(signs); }), index,
              place);
         return true;

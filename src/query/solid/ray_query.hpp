@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bvh/masks/ray_mask.hpp"
@@ -52,9 +53,9 @@ class RayQuery {
     // The points p, q and r may be equal. The result Side::on names no feature.
     Side side_beside(exact::VertexRef p, exact::VertexRef q, exact::VertexRef r);
 
-    // Answers place_of() under any pose, also a singular one, for a body without inner points. Triangles that have zero
-    // area in the mesh are left out; triangles that only the pose makes flat are not.
-    Place flat_place_of(exact::VertexRef point);
+    // Answers place_of() under any pose, also a singular one, for a body without inner points. `has_area` says which of
+    // its triangles count: all if it is empty.
+    Place flat_place_of(exact::VertexRef point, std::span<const std::uint8_t> has_area);
 
   private:
     // Says what the filter proves about a ray and a triangle; `open` if it proves nothing.

@@ -27,9 +27,9 @@ struct Checked {
     std::vector<std::uint8_t> star_faces_in;
 };
 
-Checked check(const MeshShape& shape) {
+Checked check(const MeshShape& shape, ProperMesh proper) {
     Checked result;
-    result.proper = find_proper(shape.mesh_ptr());
+    result.proper = std::move(proper);
     if (std::ranges::none_of(result.proper.has_area, [](auto has) { return has != 0; }) &&
         !result.proper.has_area.empty())
         throw no_area(shape.mesh().vertices().size());
@@ -62,7 +62,8 @@ SolidBoundary find_boundary(const Solid& solid) {
 }  // namespace
 
 void check_solid(const Mesh& mesh) {
-    check(MeshShape(borrowed(mesh)));
+    const MeshShape shape(borrowed(mesh));
+    check(shape, find_proper(shape.mesh_ptr()));
 }
 
 std::vector<TrianglePair> self_intersections(const Mesh& mesh) {
@@ -74,8 +75,17 @@ Solid::Solid(std::shared_ptr<const Mesh> mesh) : Solid(std::move(mesh), MeshForm
 
 Solid::Solid(std::shared_ptr<const Mesh> mesh, MeshForm form)
     : MeshShape(std::move(mesh), form), solid_parts_(std::make_unique<Parts>()) {
-    Checked checked = check(*this);
     Parts& parts = *solid_parts_;
+    ProperMesh proper = find_proper(mesh_ptr());
+    if (form == MeshForm::convex) {
+        if (auto flat = find_flat(proper)) {
+            if (flat->is_polygon()) parts.has_area = proper.has_area;
+            parts.flat = std::make_unique<const FlatMesh>(std::move(*flat));
+            parts.proper = std::move(proper);
+            return;
+        }
+    }
+    Checked checked = check(*this, std::move(proper));
     parts.has_area = checked.proper.has_area;
     if (checked.overlaps.empty()) {
         parts.proper = std::move(checked.proper);

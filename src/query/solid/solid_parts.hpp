@@ -8,6 +8,7 @@
 #include "base/lazy.hpp"
 #include "ecods/solid.hpp"
 #include "query/shape/mesh_tree.hpp"
+#include "query/solid/flat_mesh.hpp"
 #include "query/solid/mesh_edges.hpp"
 #include "query/solid/proper_mesh.hpp"
 #include "query/solid/shells.hpp"
@@ -33,8 +34,12 @@ struct Solid::Parts {
     // The result of prove_star(), from which the shells are made; empty if prove_star() proved nothing.
     std::vector<std::uint8_t> star_faces_in;
     Lazy<Shells> shells;
-    // By triangle of the solid's mesh: true if its area is positive. Empty if all areas are.
+    // By triangle of the solid's mesh: true if it is a part of the boundary, as triangles of positive area are. Empty
+    // if all are.
     std::vector<std::uint8_t> has_area;
+    // The set if the solid is a flat one, which has no interior; otherwise null. Of the members above, a flat solid has
+    // `proper` and `has_area` alone. All triangles of a segment or a point are parts of its boundary.
+    std::unique_ptr<const FlatMesh> flat;
     Lazy<std::shared_ptr<const MeshShape>> surface;
     Lazy<SolidBoundary> boundary;
 };
@@ -49,6 +54,11 @@ struct SolidAccess {
     static const std::shared_ptr<const MeshShape>& surface(const Solid& solid);  // made on first use
     static const SolidBoundary& boundary(const Solid& solid);                    // made on first use
 };
+
+// True if the shape has inner points: it is a solid, and no flat one.
+inline bool has_inside(const MeshShape& shape) noexcept {
+    return shape.form() != MeshForm::surface && SolidAccess::parts(static_cast<const Solid&>(shape)).flat == nullptr;
+}
 
 void require_valid(const Vec3& point);  // throws InvalidArgument
 

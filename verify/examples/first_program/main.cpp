@@ -3,6 +3,7 @@
 #include <fmt/ostream.h>
 #include <ecods/ecods.hpp>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,8 @@ int main() {
 
     // What is wrong is said by a typed error, and changes nothing.
     try {
-        box({0, 0, 0}, {1, 1, 0});
-    } catch (const ecods::NotSolid& error) {
-        fmt::print("A flat box: {}\n", error.what());
+        box({0, 0, 0}, {1, 1, std::numeric_limits<double>::infinity()});
+    } catch (const ecods::InvalidMesh& error) {
+        fmt::print("A box without end: {}\n", error.what());
     }
 }

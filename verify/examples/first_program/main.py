@@ -37,6 +37,6 @@ for height in (0.1, 0, -0.3):
 
 # What is wrong is said by a typed error, and changes nothing.
 try:
-    box((0, 0, 0), (1, 1, 0))
-except ecods.NotSolid as error:
-    print(f"A flat box: {error}")
+    box((0, 0, 0), (1, 1, float("inf")))
+except ecods.InvalidMesh as error:
+    print(f"A box without end: {error}")

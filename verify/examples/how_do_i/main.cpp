@@ -99,6 +99,12 @@ void spheres_and_margins() {
     fmt::print("spheres and margins: {} apart\n", gap);
 }
 
+void contact_of_boxes() {
+    const auto cube = unit_cube();
+    const ContactPatch patch = contact_patch({cube, Pose{}}, {cube, {.t = {0.25, 0.5, 1}}});
+    fmt::print("contact of boxes: {} corners, the first at {}\n", patch.corners.size(), text(patch.corners[0].middle));
+}
+
 void again_with_a_witness() {
     const auto cube = unit_cube();
     PairWitness witness;  // what decided the last question about the pair; no answer depends on it
@@ -233,6 +239,7 @@ int main() {
     inside_a_solid();
     depth_of_convex_solids();
     spheres_and_margins();
+    contact_of_boxes();
     again_with_a_witness();
     mesh_that_is_no_body();
     trace_and_replay();

@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     Cell cell = make_cell();
     examples::Stage stage({4.2, -3.4, 2.6}, {0.6, 0.1, 0.6}, 38);
     std::vector<Meeting> meetings;
-    SolidDistance nearest{{}, World::no_limit};
+    PairDistance nearest{{}, World::no_limit};
     for (int step = 0; step <= step_count; ++step) {
         const std::array<Pose, 3> poses = arm_at(static_cast<double>(step) / step_count);
         // Each point goes straight from its old place to its new one, so that small things are not jumped over. The arc
@@ -90,8 +90,8 @@ int main(int argc, char** argv) {
         }
         cell.world.set_poses(cell.links, poses);
         // All pairs of convex solids within 0.3.
-        const std::vector<SolidDistance> distances = cell.world.solid_distances(0.3);
-        for (const SolidDistance& each : distances) {
+        const std::vector<PairDistance> distances = cell.world.signed_distances(0.3);
+        for (const PairDistance& each : distances) {
             fmt::print("step {:2}: {} and {}: {:.6f}\n", step, cell.names[each.bodies.a], cell.names[each.bodies.b],
                        each.distance);
             if (each.distance < nearest.distance) {

@@ -64,7 +64,7 @@ for step in range(STEPS + 1):
         contacts += 1
     world.set_poses(links, poses)
     # All pairs of convex solids within 0.3.
-    for each in world.solid_distances(0.3):
+    for each in world.signed_distances(0.3):
         a, b = (names[body] for body in each.bodies)
         print(f"step {step:2}: {a} and {b}: {each.distance:.6f}")
         if nearest is None or each.distance < nearest.distance:

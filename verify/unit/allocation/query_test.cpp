@@ -16,29 +16,14 @@
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/intersection.hpp"
-#include "ecods/rounded.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/allocation/answer_digest.hpp"
+#include "unit/allocation/pair_scene.hpp"
 
 namespace ecods::allocation::query_test {
 namespace {
-
-// Two spheres of a size at which queries use all their memory, with trees that nobody has made yet.
-struct Pair {
-    explicit Pair(double distance) { pose_b.t[0] = distance; }
-
-    Posed<MeshShape> first() const { return {*a, pose_a}; }
-    Posed<MeshShape> second() const { return {*b, pose_b}; }
-
-    std::shared_ptr<const MeshShape> a = std::make_shared<MeshShape>(scenes::sphere(12, 8));
-    std::shared_ptr<const MeshShape> b = std::make_shared<MeshShape>(scenes::torus(12, 8, 0.25));
-    Pose pose_a, pose_b;
-    QueryMemory memory;
-    PairWitness witness;
-    std::uint64_t answer = 0;
-};
 
 // From before both bodies to beyond them.
 const Segment through{{3, 0.125, 0.25}, {-3, -0.125, -0.25}};
@@ -56,12 +41,6 @@ std::optional<FirstContact> move_past(Pair& p) {
     end.R = Vec3(-1, -1, 1).asDiagonal();
     end.t = -0.5 * p.pose_b.t;
     return cast(Moving<MeshShape>(*p.b, p.pose_b, end), Moving<MeshShape>(*p.a, p.pose_a, p.pose_a), 1, p.memory);
-}
-
-std::uint64_t digest_depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, Pair& p) {
-    const std::optional<Depth> found = depth(a, b, {p.memory, p.witness});
-    if (!found) return 1;
-    return digest(found->depth) + digest(found->direction) + digest(found->a.triangle) + digest(found->b.triangle);
 }
 
 // Triangles with corners of their own, a face of two halves beside one of one part.
@@ -84,12 +63,7 @@ std::shared_ptr<const Mesh> room_with_an_antenna() {
     return Mesh::create(std::move(vertices), std::move(triangles));
 }
 
-struct Question {
-    const char* name;
-    void (*ask)(Pair&);
-};
-
-const Question questions[] = {
+const PairCall questions[] = {
     {"intersects", [](Pair& p) { p.answer = digest(intersects(p.first(), p.second(), p.memory)); }},
     {"intersects, with a witness",
      [](Pair& p) {
@@ -212,22 +186,6 @@ const Question questions[] = {
          const Solid room(room_with_an_antenna());
          p.answer = digest(distance({*surface_of(room), p.pose_a}, p.second(), {p.memory, p.witness}));
      }},
-    {"questions about rounded bodies",
-     [](Pair& p) {
-         const Rounded padded(p.a, 0x1p-60);
-         const auto ball = sphere(0.1, {0.125, 0, 0}), bone = capsule({0, 0, 0}, {1e-200, 0, 1}, 0x1p-1074);
-         const Posed<Rounded> first(padded, p.pose_a);
-         Digest all;
-         for (const auto& other : {ball, bone}) {
-             const Posed<Rounded> second(other, p.pose_b);
-             all.add(intersects(first, second, {p.memory, p.witness}));
-             all.add(distance(first, second, {p.memory, p.witness}));
-             all.add(closest(first, second, {p.memory, p.witness}));
-             all.add(relation(second, p.first(), {p.memory, p.witness}));
-             all.add(distance_bounds(first, second, {.relative = 0.25}, {p.memory, p.witness}));
-         }
-         p.answer = all.value();
-     }},
     {"depth of convex solids",
      [](Pair& p) {
          const ConvexSolid a(scenes::cube(1)), b(p.b->mesh().vertices());
@@ -290,32 +248,12 @@ const Question questions[] = {
      }},
 };
 
-void go_on(Pair& p) {
-    Digest all(p.answer);
-    for (int step = 0; step < 3; ++step) {
-        p.pose_b.t[0] += 0.125;
-        all.add(intersects(p.first(), p.second(), {p.memory, p.witness}));
-        all.add(relation(p.second(), p.first(), p.memory));
-        all.add(intersecting_triangles(p.first(), p.second(), p.memory).size());
-        all.add(distance(p.first(), p.second(), {p.memory, p.witness}));
-    }
-    p.answer = all.value();
-}
-
-std::string difference(const Pair& expected, const Pair& got) {
-    return expected.answer == got.answer ? "" : std::to_string(got.answer) + " for " + std::to_string(expected.answer);
-}
-
 TEST(QueryOutOfMemory, EveryQuestionIsAnsweredTheNextTime) {
-    for (const Question& question : questions) {
+    for (const PairCall& question : questions) {
         Failures failures;
         // Deep in one another, and at distance 2 in contact, decided by exact numbers.
         for (const double distance : {0.75, 2.0, 2.25, 9.0}) {
-            fail_each_allocation<Pair>({.make = [=] { return Pair(distance); },
-                                        .call = question.ask,
-                                        .difference = difference,
-                                        .go_on = go_on},
-                                       failures);
+            fail_each_allocation(trial_of(question, distance), failures);
         }
         EXPECT_EQ(failures.defects, 0u) << question.name << "; first: " << failures.first;
     }

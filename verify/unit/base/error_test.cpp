@@ -31,7 +31,7 @@ TEST(Errors, OfArgumentsNamePartAndValue) {
         {invalid_box(2, nan, nan), Argument::box, "min(2)", nan, "the box given has [nan, nan] on axis 2"},
         {invalid_box(2, 0, nan), Argument::box, "max(2)", nan, "the box given has [0, nan] on axis 2"},
         {invalid_box(ShapeKind{7}, 0, 1, 0), Argument::box, "min(0)", 1,
-         "shape of kind 7 gave a box with [1, 0] on axis 0"},
+         "shape (kind 7) gave a box with [1, 0] on axis 0"},
         {invalid_segment(0, 2, nan), Argument::segment, "a(2)", nan,
          "segment: end 0, axis 2: coordinate is nan, not finite"},
         {invalid_segment(1, 0, nan), Argument::segment, "b(0)", nan,
@@ -77,7 +77,7 @@ TEST(Errors, OfArgumentsNamePartAndValue) {
 
 TEST(Errors, OfArgumentsGoWithTheirPlace) {
     const InvalidArgument placed = invalid_box(ShapeKind{7}, 0, 1, 0).at(body, 2);
-    EXPECT_STREQ(placed.what(), "entry 2: body 3.1: shape of kind 7 gave a box with [1, 0] on axis 0");
+    EXPECT_STREQ(placed.what(), "entry 2: body 3.1: shape (kind 7) gave a box with [1, 0] on axis 0");
     EXPECT_EQ(placed.argument, Argument::box);
     EXPECT_EQ(placed.part, "min(0)");
     EXPECT_EQ(placed.value, 1);
@@ -85,7 +85,7 @@ TEST(Errors, OfArgumentsGoWithTheirPlace) {
     EXPECT_EQ(placed.body, body);
     EXPECT_EQ(placed.index, 2u);
     const InvalidArgument elsewhere = placed.at({}, 5);
-    EXPECT_STREQ(elsewhere.what(), "entry 5: shape of kind 7 gave a box with [1, 0] on axis 0");
+    EXPECT_STREQ(elsewhere.what(), "entry 5: shape (kind 7) gave a box with [1, 0] on axis 0");
     EXPECT_FALSE(elsewhere.body);
     EXPECT_EQ(elsewhere.index, 5u);
 }
@@ -135,12 +135,12 @@ TEST(Errors, OfSolidsNameTheDefect) {
 
 TEST(Errors, OfQuestionsNameKindsAndQuestion) {
     const ShapeKind a{7}, b = ShapeKind::mesh();
-    EXPECT_STREQ(NotSupported(Question::cast, a, b).what(), "the test of shape kinds 7 and 0 does not answer cast");
-    EXPECT_STREQ(NotSupported(Question::hits, a, a).what(), "the shape of kind 7 does not answer hits");
+    EXPECT_STREQ(NotSupported(Question::cast, a, b).what(), "the test of shapes (kind 7, mesh) does not answer cast");
+    EXPECT_STREQ(NotSupported(Question::hits, a, a).what(), "the shape (kind 7) does not answer hits");
     EXPECT_STREQ(NotSupported(Question::intersects, a, b).what(),
-                 "no two-body test is registered for shape kinds 7 and 0");
+                 "no two-body test is registered for shapes (kind 7, mesh)");
     const NotSupported uncertified(Question::certify, a, a, body);
-    EXPECT_STREQ(uncertified.what(), "body 3.1 has a shape of kind 7, of which there are no certificates");
+    EXPECT_STREQ(uncertified.what(), "body 3.1 has a shape (kind 7) of which there are no certificates");
     EXPECT_EQ(uncertified.body, body);
     EXPECT_FALSE(NotSupported("a shape").question);
 }

@@ -178,5 +178,49 @@ TEST(ExactSum, OfNumbersFarApart) {
     EXPECT_EQ(ExactSum(0).plus(-0.0).sign(), 0);
 }
 
+mpf_class in_digits(const RootSum& sum) {
+    const oracle::FractionAndRoot truth = truth_of(sum);
+    const mpf_class root = sqrt(mpf_class(truth.square, 4000));
+    return mpf_class(mpf_class(truth.fraction, 4000) + (sum.is_subtracted ? -root : root), 4000);
+}
+
+// By 4000 digits: two such numbers are equal if they differ by less than 2^-3000.
+int sign_of(const mpf_class& difference) {
+    mpf_class least(1, 4000);
+    mpf_div_2exp(least.get_mpf_t(), least.get_mpf_t(), 3000);
+    return abs(difference) < least ? 0 : sgn(difference);
+}
+void expect_compared(const RootSum& a, const RootSum& b) {
+    const int expected = sign_of(in_digits(a) - in_digits(b));
+    EXPECT_EQ(compare(a, b), expected);
+    EXPECT_EQ(compare(b, a), -expected);
+}
+
+TEST(RootSum, Compared) {
+    const auto any = [&] {
+        const auto small = [&] { return below(3) == 0 ? mpz_class(0) : any_integer(4); };
+        const mpz_class x = below(2) == 0 ? small() : any_integer(60);
+        const int e = static_cast<int>(below(6)) - 3, f = static_cast<int>(below(6)) - 3;
+        return made_of(below(2) == 0 ? x : mpz_class(-x), any_integer(30), e, small(), any_integer(6), f,
+                       below(2) == 0);
+    };
+    for (int i = 0; i < 3000; ++i) {
+        const RootSum a = any();
+        expect_compared(a, any());
+        // The same number in other terms, and one that differs in one digit.
+        const mpz_class k = any_integer(9);
+        RootSum same = made_of(to_mpz(a.x) * k, to_mpz(a.z) * k, a.e, to_mpz(a.y) * k * k * 4, to_mpz(a.w) * k * k,
+                               a.f - 1, a.is_subtracted);
+        expect_compared(a, same);
+        EXPECT_EQ(compare(a, same), 0);
+        same.x = same.x + Integer(std::int64_t{1});
+        expect_compared(a, same);
+        expect_compared(a, affine(ScaledInteger(-0.5), same, ScaledInteger(0x1p-30)));
+        const double rounded = round_root_sum(a);
+        EXPECT_EQ(compare(a, ScaledInteger(rounded)),
+                  sign_of(in_digits(a) - mpf_class(oracle::exactly(rounded), 4000)));
+    }
+}
+
 }  // namespace
 }  // namespace ecods::exact

@@ -303,7 +303,20 @@ TEST(HalfSpaceWorld, QuestionsAboutABody) {
     EXPECT_EQ(world.signed_distance({sphere(1), at(0, 0, 0.5)}, floor).distance, -0.5);
     Pose flat;
     flat.R(2, 2) = 0;
-    EXPECT_THROW(world.set_pose(floor, flat), SingularPose);
+    try {
+        world.set_pose(floor, flat);
+        ADD_FAILURE() << "not refused";
+    } catch (const SingularPose& error) {
+        EXPECT_EQ(error.body, floor);
+        EXPECT_STREQ(error.what(), "body 1.0: its pose is singular");
+    }
+    try {
+        world.create_body(std::make_shared<HalfSpace>(ground()), flat);
+        ADD_FAILURE() << "not refused";
+    } catch (const SingularPose& error) {
+        EXPECT_EQ(error.body, BodyId());
+        EXPECT_STREQ(error.what(), "the pose of the first shape is singular");
+    }
     EXPECT_EQ(world.pose(floor), Pose{});
 }
 

@@ -78,7 +78,7 @@ TEST(RoundedRelation, ABallInARoom) {
         EXPECT_EQ(error.question, Question::relation);
         EXPECT_EQ(error.a, ShapeKind::rounded());
         EXPECT_EQ(error.b, ShapeKind::rounded_convex());
-        EXPECT_NE(std::string(error.what()).find("rounded and rounded convex"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("(rounded, rounded convex)"), std::string::npos) << error.what();
     }
 }
 

@@ -38,7 +38,7 @@ std::string traced(const TraceOptions& options) {
     std::ignore = world.meetings(std::vector{bodies[2], bodies[0]}, std::vector{at(0), at(6)});
     std::ignore = world.bodies_containing(Vec3(0.25, 0.25, 0));
     std::ignore = world.depths();
-    std::ignore = world.solid_distances(1);
+    std::ignore = world.signed_distances(1);
     world.set_pose(bodies[1], at(3, 0.25));
     QueryMemory memory;
     std::ignore = world.nearest(bodies[1], World::no_limit, memory);
@@ -73,7 +73,7 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
     EXPECT_EQ(count_of("\nbodies_containing ", with), 1u);
     EXPECT_EQ(count_of("\ndepths ", with), 1u);
-    EXPECT_EQ(count_of("\nsolid_distances ", with), 1u);
+    EXPECT_EQ(count_of("\nsigned_distances ", with), 1u);
     EXPECT_NE(with.find(" inf 2 10\n"), std::string::npos) << with;
     EXPECT_NE(with.find(" inf\n"), std::string::npos);
     EXPECT_EQ(replayed(without).question_count, 0u);
@@ -92,7 +92,7 @@ TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
     const std::string text = traced({.questions = true});
     for (const std::string name :
          {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest", "closest_pair", "cast", "meetings",
-          "bodies_containing", "depths", "solid_distances"}) {
+          "bodies_containing", "depths", "signed_distances"}) {
         const std::size_t line = text.find("\n" + name + " ") + 1;
         const std::size_t digest = line + name.size() + 1;
         std::string wrong = text;
@@ -134,7 +134,7 @@ TEST(TraceQuestions, WhatIsNoQuestionIsRefused) {
     refused("closest_pair 0 -0x1p+0");
     refused("nearest 0 1.0 inf");
     refused("cast 0 1.0 0x0p+0 0x0p+0 0x0p+0 0x1p+0");
-    refused("solid_distances 0 -0x1p+0");
+    refused("signed_distances 0 -0x1p+0");
     refused("depths 0 inf");
     refused("meetings 0 1");
     refused("meetings 0 0 0");

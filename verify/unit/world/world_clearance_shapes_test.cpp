@@ -90,7 +90,8 @@ TEST_P(WorldClearanceShapesTest, TheyAreAskedAsMeshesAre) {
     EXPECT_EQ(world.nearest(q), (NearestBody{p, 2}));
     EXPECT_EQ(world.nearest(a), (NearestBody{p, 0.5}));
     EXPECT_EQ(world.nearest({*point, at(2)}), (NearestBody{p, 1}));
-    EXPECT_EQ(world.closest_pair(), (ClosestPair{{a, p}, 0.5}));
+    EXPECT_EQ(world.closest_pair(), (ClosestPair{{a, p}, 0.5, world.closest(a, p)}));
+    EXPECT_EQ(world.closest_pairs(0.5), (std::vector<ClosestPair>{{{a, p}, 0.5, world.closest(a, p)}}));
     world.check_invariants();
 }
 

@@ -35,7 +35,7 @@ class WorldConvexTest : public EachWorld {
             for (std::size_t j = i + 1; j < bodies.size(); ++j) {
                 const bool is_on = may_meet(world.filter(bodies[i]), world.filter(bodies[j])) &&
                                    world.is_pair_enabled(bodies[i], bodies[j]);
-                if (is_on && convex(bodies[i]) && convex(bodies[j])) pairs.push_back({bodies[i], bodies[j]});
+                if (is_on) pairs.push_back({bodies[i], bodies[j]});
             }
         }
         return pairs;
@@ -43,19 +43,27 @@ class WorldConvexTest : public EachWorld {
     std::shared_ptr<const ConvexSolid> convex(BodyId body) const {
         return std::dynamic_pointer_cast<const ConvexSolid>(world.shape(body));
     }
+    bool are_convex(const BodyPair& pair) const { return convex(pair.a) && convex(pair.b); }
+    Posed<MeshShape> posed(BodyId body) const {
+        return {dynamic_cast<const MeshShape&>(*world.shape(body)), world.pose(body)};
+    }
     // Without the world's trees. Of no pair here a limit is between the distance and its rounding.
-    std::vector<SolidDistance> distances(double limit) {
-        std::vector<SolidDistance> result;
+    std::vector<PairDistance> distances(double limit) {
+        std::vector<PairDistance> result;
         for (const BodyPair& pair : all_pairs()) {
-            const auto a = convex(pair.a), b = convex(pair.b);
-            const double d = distance({*a, world.pose(pair.a)}, {*b, world.pose(pair.b)}, memory);
+            double d = distance(posed(pair.a), posed(pair.b), memory);
+            if (d == 0 && are_convex(pair)) {
+                const auto a = convex(pair.a), b = convex(pair.b);
+                d = signed_distance({*a, world.pose(pair.a)}, {*b, world.pose(pair.b)}, memory).distance;
+            }
             if (d <= limit) result.push_back({pair, d});
         }
         return result;
     }
     std::vector<BodyDepth> depths() {
         std::vector<BodyDepth> result;
-        for (const SolidDistance& pair : distances(0)) {
+        for (const PairDistance& pair : distances(0)) {
+            if (!are_convex(pair.bodies)) continue;
             const auto a = convex(pair.bodies.a), b = convex(pair.bodies.b);
             result.push_back(
                 {pair.bodies, depth({*a, world.pose(pair.bodies.a)}, {*b, world.pose(pair.bodies.b)}, memory).value()});
@@ -160,7 +168,7 @@ TEST_P(WorldConvexTest, BodiesThatAreNoConvexSolids) {
     EXPECT_THROW(static_cast<void>(world.depth(convex, convex)), SameBody);
     EXPECT_THROW(static_cast<void>(world.distance(convex, BodyId{})), StaleBody);
     EXPECT_TRUE(world.depths().empty());
-    EXPECT_TRUE(world.solid_distances(infinity).empty());
+    EXPECT_EQ(world.signed_distances(infinity), distances(infinity)) << "all kinds of bodies";
     world.set_shape(solid, large);
     EXPECT_EQ(world.depths().size(), 1u);
     world.destroy_body(solid);
@@ -183,7 +191,7 @@ TEST_P(WorldConvexTest, SingularPosesAreNamed) {
     EXPECT_EQ(world.closest(b, a).distance, 98.5);
     require_named([&] { std::ignore = world.depth(a, b); });
     require_named([&] { std::ignore = world.depths(); });  // however far
-    require_named([&] { std::ignore = world.solid_distances(1); });
+    EXPECT_EQ(world.signed_distances(100), (std::vector<PairDistance>{{{a, b}, 98.5}}));
     world.set_shape(b, std::make_shared<const Solid>(scenes::cube(1)));
     EXPECT_TRUE(world.depths().empty());
 }
@@ -192,19 +200,21 @@ TEST_P(WorldConvexTest, SingularPosesAreNamed) {
 TEST_P(WorldConvexTest, LimitsAreDecidedForTheRealDistance) {
     const BodyId a = world.create_body(large, at(0)), b = world.create_body(large, at(3, 3, 0));
     const double root2 = std::sqrt(2.0), root3 = std::sqrt(3.0);
-    EXPECT_EQ(world.solid_distances(root2), (std::vector<SolidDistance>{{{a, b}, root2}}));
-    EXPECT_TRUE(world.solid_distances(std::nextafter(root2, 0)).empty());
+    EXPECT_EQ(world.signed_distances(root2), (std::vector<PairDistance>{{{a, b}, root2}}));
+    EXPECT_TRUE(world.signed_distances(std::nextafter(root2, 0)).empty());
     world.set_pose(b, at(3, 3, 3));
-    EXPECT_TRUE(world.solid_distances(root3).empty()) << "which is less than the root of 3, and nearest to it";
-    EXPECT_EQ(world.solid_distances(std::nextafter(root3, 2)), (std::vector<SolidDistance>{{{a, b}, root3}}));
+    EXPECT_TRUE(world.signed_distances(root3).empty()) << "which is less than the root of 3, and nearest to it";
+    EXPECT_EQ(world.signed_distances(std::nextafter(root3, 2)), (std::vector<PairDistance>{{{a, b}, root3}}));
+    world.set_pose(b, at(1.75));
+    EXPECT_EQ(world.signed_distances(0), (std::vector<PairDistance>{{{a, b}, -0.25}}));
     world.set_pose(b, at(2));
-    EXPECT_EQ(world.solid_distances(0), (std::vector<SolidDistance>{{{a, b}, 0}}));
-    EXPECT_EQ(world.solid_distances(-0.0).size(), 1u);
+    EXPECT_EQ(world.signed_distances(0), (std::vector<PairDistance>{{{a, b}, 0}}));
+    EXPECT_EQ(world.signed_distances(-0.0).size(), 1u);
     EXPECT_EQ(world.depths().size(), 1u) << "they touch";
     EXPECT_EQ(world.depths()[0].depth.depth, 0);
-    EXPECT_INVALID(world.solid_distances(-1), Argument::distance);
-    EXPECT_INVALID(world.solid_distances(std::nan("")), Argument::distance);
-    EXPECT_INVALID(world.solid_distances(-infinity, memory), Argument::distance);
+    EXPECT_INVALID(world.signed_distances(-1), Argument::distance);
+    EXPECT_INVALID(world.signed_distances(std::nan("")), Argument::distance);
+    EXPECT_INVALID(world.signed_distances(-infinity, memory), Argument::distance);
 }
 
 // Turned bodies, and boxes on a lattice that tie and touch; some are no convex solids, and pairs are filtered out.
@@ -237,16 +247,21 @@ TEST_P(WorldConvexTest, ListsAreThoseOfAllPairsOneByOne) {
         }
         if (frame % 3 == 0) world.update();  // or not: they are as of now
         EXPECT_EQ(world.depths(), depths());
-        for (const double limit : {0.0, 0.5, 1.25}) EXPECT_EQ(world.solid_distances(limit), distances(limit)) << limit;
-        const std::vector<SolidDistance> all = distances(infinity);
-        EXPECT_EQ(world.solid_distances(infinity, memory), all);
+        const std::vector<PairDistance> all = distances(infinity);
+        const auto up_to = [&](double limit) {
+            std::vector<PairDistance> some = all;
+            std::erase_if(some, [&](const PairDistance& pair) { return pair.distance > limit; });
+            return some;
+        };
+        for (const double limit : {0.0, 0.5, 1.25}) EXPECT_EQ(world.signed_distances(limit), up_to(limit)) << limit;
+        EXPECT_EQ(world.signed_distances(infinity, memory), all);
         // Just below one of them, which is then no more there.
         const double below = std::nextafter(all[all.size() / 2].distance, -infinity);
         if (below >= 0) {
-            EXPECT_EQ(world.solid_distances(below), distances(below));
+            EXPECT_EQ(world.signed_distances(below), up_to(below));
         }
         depth_count += world.depths(memory).size();
-        distance_count += world.solid_distances(1.25).size();
+        distance_count += world.signed_distances(1.25).size();
     }
     EXPECT_GT(depth_count, 100u);
     EXPECT_GT(distance_count, 2 * depth_count);
@@ -259,9 +274,9 @@ TEST_P(WorldConvexTest, TracesHaveConvexSolidsAndTheirQuestions) {
     const BodyId b = world.create_body(small, at(1));
     world.update();
     std::ignore = world.depths();
-    std::ignore = world.solid_distances(2);
+    std::ignore = world.signed_distances(2);
     world.set_pose(b, at(2));
-    std::ignore = world.solid_distances(infinity);
+    std::ignore = world.signed_distances(infinity);
     std::ignore = world.depths(memory);
     world.end_trace();
     EXPECT_NE(out.str().find("\nconvex 1 8 12\n"), std::string::npos) << out.str();

@@ -18,7 +18,21 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-class WorldNearestTest : public EachWorld {};
+// The two bodies and their distance; the points are asked in world_closest_test.cpp.
+struct Near {
+    BodyPair bodies;
+    double distance;
+
+    friend bool operator==(const Near&, const Near&) = default;
+};
+
+class WorldNearestTest : public EachWorld {
+  protected:
+    std::optional<Near> closest_pair(double max_distance = World::no_limit) const {
+        const auto found = world.closest_pair(max_distance);
+        return found ? std::optional(Near{found->bodies, found->distance}) : std::nullopt;
+    }
+};
 
 INSTANTIATE_TEST_SUITE_P(BroadPhases, WorldNearestTest, broad_phases(), broad_phase_name);
 
@@ -45,19 +59,19 @@ TEST_P(WorldNearestTest, TwoBodiesAreAskedInEitherOrder) {
 TEST_P(WorldNearestTest, TheNearestIsOfNowAndTiesGoToTheLeastIds) {
     const BodyId a = world.create_body(cube, at(0));
     EXPECT_EQ(world.nearest(a), std::nullopt);
-    EXPECT_EQ(world.closest_pair(), std::nullopt);
+    EXPECT_EQ(closest_pair(), std::nullopt);
     const BodyId b = world.create_body(cube, at(3));
     const BodyId c = world.create_body(cube, at(0, 3));
     EXPECT_EQ(world.nearest(a), (NearestBody{b, 2}));
     EXPECT_EQ(world.nearest(c), (NearestBody{a, 2}));
-    EXPECT_EQ(world.closest_pair(), (ClosestPair{{a, b}, 2}));
+    EXPECT_EQ(closest_pair(), (Near{{a, b}, 2}));
     world.set_pose(c, at(0, -2.5));
     EXPECT_EQ(world.nearest(a, World::no_limit, memory), (NearestBody{c, 1.5}));
-    EXPECT_EQ(world.closest_pair(World::no_limit, memory), (ClosestPair{{a, c}, 1.5}));
+    EXPECT_EQ(closest_pair(), (Near{{a, c}, 1.5}));
     EXPECT_EQ(world.nearest(a, 1.5), (NearestBody{c, 1.5}));
     EXPECT_EQ(world.nearest(a, std::nextafter(1.5, 0)), std::nullopt);
     EXPECT_EQ(world.closest_pair(1.5)->bodies, (BodyPair{a, c}));
-    EXPECT_EQ(world.closest_pair(std::nextafter(1.5, 0)), std::nullopt);
+    EXPECT_EQ(closest_pair(std::nextafter(1.5, 0)), std::nullopt);
     EXPECT_EQ(world.nearest(a, 0), std::nullopt);
 }
 
@@ -69,8 +83,8 @@ TEST_P(WorldNearestTest, TheLimitIsForTheRealDistance) {
     EXPECT_EQ(world.nearest(a, root), std::nullopt);
     EXPECT_EQ(world.nearest(a, std::nextafter(root, 2)), (NearestBody{b, root}));
     EXPECT_EQ(world.nearest({cube, at(0)}, 0), (NearestBody{a, 0}));
-    EXPECT_EQ(world.closest_pair(root), std::nullopt);
-    EXPECT_EQ(world.closest_pair(std::nextafter(root, 2)), (ClosestPair{{a, b}, root}));
+    EXPECT_EQ(closest_pair(root), std::nullopt);
+    EXPECT_EQ(closest_pair(std::nextafter(root, 2)), (Near{{a, b}, root}));
     world.set_clearance(root);
     world.update();
     EXPECT_TRUE(world.close_pairs().empty());
@@ -85,7 +99,7 @@ TEST_P(WorldNearestTest, AmongBodiesThatMeetTheLeastIdsAreGiven) {
     for (int i = 0; i < 100; ++i) world.create_body(cube, at(0.0625 * (99 - i)));
     const auto bodies = world.bodies();
     EXPECT_EQ(world.nearest(bodies[50], 0), (NearestBody{bodies[34], 0})) << "the first that touches it";
-    EXPECT_EQ(world.closest_pair(), (ClosestPair{{bodies[0], bodies[1]}, 0}));
+    EXPECT_EQ(closest_pair(), (Near{{bodies[0], bodies[1]}, 0}));
     EXPECT_EQ(world.nearest({cube, at(0)}), (NearestBody{bodies[83], 0}));
     EXPECT_EQ(world.nearest({cube, at(10)}), (NearestBody{bodies[0], 10 - 0.0625 * 99 - 1}));
 }
@@ -97,7 +111,7 @@ TEST_P(WorldNearestTest, FiltersApply) {
     world.set_pair_enabled(a, b, false);
     EXPECT_EQ(world.nearest(a), (NearestBody{c, 2}));
     EXPECT_EQ(world.nearest(b), (NearestBody{c, 4}));
-    EXPECT_EQ(world.closest_pair(), (ClosestPair{{a, c}, 2}));
+    EXPECT_EQ(closest_pair(), (Near{{a, c}, 2}));
     world.set_filter(c, {.groups = 2});
     EXPECT_EQ(world.nearest({cube, at(-1.5)}), (NearestBody{a, 0.5}));
     EXPECT_EQ(world.nearest({{cube, at(-1.5)}, CollisionFilter{.mask = 2}}), (NearestBody{c, 0.5}));
@@ -130,7 +144,7 @@ TEST_P(WorldNearestTest, IsWhatAskingAllSays) {
         for (int i = 0; i < 120; ++i) bodies.push_back(world.create_body(meshes[random.below(3)], any_pose(extent)));
         std::ranges::sort(bodies);
         for (int frame = 0; frame < 4; ++frame) {
-            std::optional<ClosestPair> closest;
+            std::optional<Near> closest;
             for (std::size_t i = 0; i < bodies.size(); ++i) {
                 std::optional<NearestBody> nearest;
                 for (const BodyId other : bodies) {
@@ -138,13 +152,13 @@ TEST_P(WorldNearestTest, IsWhatAskingAllSays) {
                     const double d = world.distance(bodies[i], other, memory);
                     if (!nearest || d < nearest->distance) nearest = NearestBody{other, d};
                     if (other > bodies[i] && (!closest || d < closest->distance)) {
-                        closest = ClosestPair{{bodies[i], other}, d};
+                        closest = Near{{bodies[i], other}, d};
                     }
                 }
                 ASSERT_EQ(world.nearest(bodies[i], World::no_limit, memory), nearest);
                 ASSERT_EQ(world.nearest(bodies[i], std::nextafter(nearest->distance, infinity)), nearest);
             }
-            ASSERT_EQ(world.closest_pair(), closest);
+            ASSERT_EQ(closest_pair(), closest);
             for (int i = 0; i < 30; ++i) world.set_pose(bodies[random.below(120)], any_pose(extent));
         }
         for (const BodyId body : bodies) world.destroy_body(body);

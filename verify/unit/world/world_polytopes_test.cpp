@@ -34,7 +34,10 @@ struct Truth {
                 const double distance = oracle::nearest(pair.distance());
                 // Only of a distance that rounds to the limit it would be left open.
                 if (distance <= limit) distances[{ids[i], ids[j]}] = distance;
-                if (distance == 0) depths[{ids[i], ids[j]}] = oracle::nearest(pair.depth()->depth);
+                if (distance > 0) continue;
+                const double depth = oracle::nearest(pair.depth()->depth);
+                depths[{ids[i], ids[j]}] = depth;
+                distances[{ids[i], ids[j]}] = -depth;
             }
         }
     }
@@ -79,12 +82,12 @@ TEST(WorldPolytopes, AThousandInEachFrameAsTheOracle) {
         world.set_poses(ids, polytopes.poses());
         parallel.set_poses(parallel_ids, polytopes.poses());
         const Truth truth(polytopes, ids);
-        const std::vector<SolidDistance> distances = world.solid_distances(limit);
+        const std::vector<PairDistance> distances = world.signed_distances(limit);
         const std::vector<BodyDepth> depths = world.depths();
-        EXPECT_EQ(pairs_of(distances, [](const SolidDistance& found) { return found.distance; }), truth.distances);
+        EXPECT_EQ(pairs_of(distances, [](const PairDistance& found) { return found.distance; }), truth.distances);
         EXPECT_EQ(pairs_of(depths, [](const BodyDepth& found) { return found.depth.depth; }), truth.depths);
-        expect_same(distances, parallel.solid_distances(limit),
-                    [](const SolidDistance& a, const SolidDistance& b) { return a.distance == b.distance; });
+        expect_same(distances, parallel.signed_distances(limit),
+                    [](const PairDistance& a, const PairDistance& b) { return a.distance == b.distance; });
         expect_same(depths, parallel.depths(),
                     [](const BodyDepth& a, const BodyDepth& b) { return a.depth.depth == b.depth.depth; });
         near += distances.size();

@@ -15,9 +15,9 @@ int compare(const SquaredDistance& square, const ExactSum& sum) {
                            (scaled.m() * scaled.m() * Integer(square.den.limbs(), false)).limbs());
 }
 
-double round_beyond(const SquaredDistance& square, const ExactSum& margin) {
-    if (margin.sign() == 0) return round_root(square);
-    if (compare(square, margin.lower()) <= 0) return 0;
+namespace {
+
+RootSum beyond(const SquaredDistance& square, const ExactSum& margin) {
     const ScaledInteger scaled = margin.scaled();
     RootSum difference;
     difference.x = -scaled.m();
@@ -25,7 +25,19 @@ double round_beyond(const SquaredDistance& square, const ExactSum& margin) {
     difference.y = Integer(square.num.limbs(), false);
     difference.w = Integer(square.den.limbs(), false);
     difference.f = square.exponent;
-    return round_positive_part(difference);
+    return difference;
+}
+
+}  // namespace
+
+double round_beyond(const SquaredDistance& square, const ExactSum& margin) {
+    if (margin.sign() == 0) return round_root(square);
+    if (compare(square, margin.lower()) <= 0) return 0;
+    return round_positive_part(beyond(square, margin));
+}
+
+double round_signed_beyond(const SquaredDistance& square, const ExactSum& margin) {
+    return margin.sign() == 0 ? round_root(square) : round_signed(beyond(square, margin));
 }
 
 }  // namespace ecods::exact

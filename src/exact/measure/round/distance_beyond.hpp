@@ -14,4 +14,8 @@ int compare(const SquaredDistance& square, const ExactSum& sum);
 // least 2^-1074; infinity above the largest double.
 double round_beyond(const SquaredDistance& square, const ExactSum& margin);
 
+// Returns the double nearest to distance - margin, ties to even, for a margin of either sign; at least 2^-1074 in
+// magnitude unless the difference is 0.
+double round_signed_beyond(const SquaredDistance& square, const ExactSum& margin);
+
 }  // namespace ecods::exact

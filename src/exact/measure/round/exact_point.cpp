@@ -2,11 +2,12 @@
 
 #include <cstdint>
 
+#include "base/assert.hpp"
 #include "exact/measure/round/natural_sum.hpp"
 #include "exact/number/dyadic.hpp"
+#include "exact/number/integer.hpp"
 
 namespace ecods::exact {
-namespace {
 
 // Returns coordinate `row` of R v + t + num / den 2^unit, rounded once. It is computed as a sum of products with den,
 // divided by den.
@@ -29,12 +30,41 @@ double round_coordinate(const PointRef& origin, int row, const ExactPoint& point
     return round_sum(terms, den);
 }
 
-}  // namespace
-
 Vec3 round_point(const PointRef& origin, const ExactPoint& point) noexcept {
     Vec3 result;
     for (int row = 0; row < 3; ++row) result[row] = round_coordinate(origin, row, point);
     return result;
+}
+
+namespace {
+
+Integer numerator(const ExactPoint& p, std::size_t axis) {
+    return {p.num[axis].size.limbs(), p.num[axis].is_negative};
+}
+Integer denominator(const ExactPoint& p) {
+    return {p.den.limbs(), false};
+}
+
+}  // namespace
+
+bool is_level(const ExactPoint& a, const ExactPoint& b, std::size_t axis) {
+    ECODS_ASSERT(a.unit == b.unit);
+    return numerator(a, axis) * denominator(b) == numerator(b, axis) * denominator(a);
+}
+
+ExactPoint middle_of(const ExactPoint& a, const ExactPoint& b) {
+    ECODS_ASSERT(a.unit == b.unit);
+    const Integer den_a = denominator(a), den_b = denominator(b);
+    const bool is_common = den_a == den_b;
+    ExactPoint middle;
+    middle.unit = a.unit - 1;
+    middle.den.assign((is_common ? den_a : den_a * den_b).limbs());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Integer x = numerator(a, axis), y = numerator(b, axis), sum = is_common ? x + y : x * den_b + y * den_a;
+        middle.num[axis].size.assign(sum.limbs());
+        middle.num[axis].is_negative = sum.sign() < 0;
+    }
+    return middle;
 }
 
 }  // namespace ecods::exact

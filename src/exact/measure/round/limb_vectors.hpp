@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "exact/number/limbs.hpp"
 
@@ -79,6 +80,18 @@ bool is_zero_vector(const LimbVector<L>& a) noexcept {
 template <int L>
 bool is_parallel(const LimbVector<L>& a, const LimbVector<L>& b) noexcept {
     return is_zero_vector<2 * L>(cross<L>(a, b));
+}
+
+// Returns the cross product of u and the first axis that is not parallel to it; if u is zero, the x axis.
+template <int L>
+LimbVector<2 * L> across(const LimbVector<L>& u) noexcept {
+    LimbVector<2 * L> x_axis{};
+    x_axis[0].limbs[0] = 1;
+    if (is_zero_vector<L>(u)) return x_axis;
+    LimbVector<L> axis{};
+    axis[0].limbs[0] = 1;
+    if (is_parallel<L>(u, axis)) std::swap(axis[0], axis[1]);
+    return cross<L>(u, axis);
 }
 
 }  // namespace ecods::exact

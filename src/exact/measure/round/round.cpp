@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "base/outward.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 
@@ -74,6 +75,7 @@ void set_shifted(std::span<std::uint64_t> to, NaturalSpan a, int shift, std::siz
 Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
     // Normalizes the divisor: its leading limb has its top bit set, and it has at least two limbs.
     const std::size_t n = std::max<std::size_t>(den.size(), 2);
+    ECODS_ASSERT(n <= divisor_limbs);
     const int up = static_cast<int>(64 * n) - bit_width(den);
     std::array<std::uint64_t, divisor_limbs> v;
     set_shifted({v.data(), n}, den, up, 0);

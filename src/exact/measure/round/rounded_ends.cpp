@@ -6,14 +6,14 @@
 namespace ecods::exact {
 
 // The coordinate is x / den + radius n_i / |n|.
-Vec3 round_end(const PointRef& origin, const ExactPoint& point, double radius, const LongDirection& n) {
+Vec3 round_end(const PointRef& origin, const ExactPoint& point, const ScaledInteger& radius, const LongDirection& n) {
     const ScaledLongVector start = posed_point(*origin.pose, *origin.v);
     const Integer den(point.den.limbs(), false);
     const ScaledInteger scaled_den(den, 0), square(n.square, 0);
     Vec3 result;
     for (std::size_t row = 0; row < 3; ++row) {
         const ScaledInteger num(Integer(point.num[row].size.limbs(), point.num[row].is_negative), point.unit);
-        const ScaledInteger along = ScaledInteger(radius) * ScaledInteger(n.x[row], 0);
+        const ScaledInteger along = radius * ScaledInteger(n.x[row], 0);
         result[static_cast<Eigen::Index>(row)] =
             round_root_sum(root_sum(start[row] * scaled_den + num, den, along, square));
     }

@@ -9,6 +9,7 @@
 #include "exact/measure/round/limb_vectors.hpp"
 #include "exact/number/exact_sum.hpp"
 #include "exact/number/long_vector.hpp"
+#include "exact/number/scaled_integer.hpp"
 
 namespace ecods::exact {
 
@@ -33,10 +34,12 @@ struct LongDirection {
         }
         return result;
     }
+
+    LongDirection operator-() const { return {{-x[0], -x[1], -x[2]}, square}; }
 };
 
 // Returns point + radius n / |n| in world coordinates, each rounded once to the nearest double, ties to even; a zero is
 // +0. The point is relative to `origin`. n must not be zero.
-Vec3 round_end(const PointRef& origin, const ExactPoint& point, double radius, const LongDirection& n);
+Vec3 round_end(const PointRef& origin, const ExactPoint& point, const ScaledInteger& radius, const LongDirection& n);
 
 }  // namespace ecods::exact

@@ -1,0 +1,47 @@
+// Searches for the first time at which a moving body is near another one, by halving times.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "ecods/ids.hpp"
+
+namespace ecods {
+
+using PairList = std::vector<TrianglePair>;
+
+// Lists pairs for parts of the time from 0 to `last`, earlier parts first, until take(pairs, to) returns true.
+//
+// list(from, to, most) must return all pairs that may be near at some time from `from` to `to`, and a little later;
+// nullopt if there are more than `most`. The part is then cut in two. Twice as many pairs are allowed in each half:
+// where a body slides along another one, or faces meet face on, as many are near at every time, and the parts do not
+// become more than these pairs.
+template <class List, class Take>
+void search_earliest(double last, const List& list, const Take& take) {
+    constexpr std::size_t most = 24, cuts_max = 40;
+    struct Part {
+        double from, to;
+        std::size_t cuts;
+    };
+    std::array<Part, cuts_max + 1> parts;
+    std::size_t count = 0;
+    parts[count++] = {0, last, 0};
+    while (count > 0) {
+        const Part part = parts[--count];
+        const bool may_cut = part.cuts < cuts_max && last < std::numeric_limits<double>::infinity();
+        const std::optional<PairList> pairs =
+            list(part.from, part.to, may_cut ? most << part.cuts : std::numeric_limits<std::size_t>::max());
+        if (!pairs) {
+            const double middle = part.from + (part.to - part.from) / 2;
+            parts[count++] = {middle, part.to, part.cuts + 1};
+            parts[count++] = {part.from, middle, part.cuts + 1};
+        } else if (take(*pairs, part.to)) {
+            return;
+        }
+    }
+}
+
+}  // namespace ecods

@@ -1,0 +1,17 @@
+// Decides if flat convex sets cross: they are in no common plane and share a point of the relative interior of both.
+#pragma once
+
+#include "ecods/pose.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods {
+
+// True if the shape is a polygon, a segment or a point, at a regular pose.
+bool is_flat_set(const Posed<MeshShape>& body);
+
+// True if a flat set and the other body, which is a flat set or a surface, cross: of a surface, some triangle does.
+// They must share a point, and none of their triangles may cross. Cost: that of intersecting_triangles() for a surface,
+// and some exact signs for each corner of a polygon and for each triangle that it meets.
+bool do_flat_cross(const Posed<MeshShape>& flat, const Posed<MeshShape>& other, QueryMemory& memory);
+
+}  // namespace ecods

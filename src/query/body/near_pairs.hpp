@@ -1,0 +1,65 @@
+// Lists the pairs of triangles that may be near each other while a point or a body is translated.
+//
+// Bound. Positions are computed in doubles, with few roundings: of a difference, a product and a sum. Let S be the sum
+// of the magnitudes of all terms of a position's coordinates, added over the axes. With u' = two_u, each term goes
+// through three roundings, and a parameter may be off by 4 u' of itself, so a position is off by less than 7.1 u' S. S
+// as computed has seven roundings, and 8 u' S covers them. A distance is a sum of three such numbers, and a reach a
+// product with five roundings: 8 u' of them covers these. Numbers that underflow lose less than 2^-1000 in all; times
+// that may be taken for zero count as 2^-900. If a number overflows, all pairs are listed.
+// Claim: verify/proofs/root_sums.py
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "ecods/pose.hpp"
+#include "ecods/shape.hpp"
+#include "exact/number/exact_sum.hpp"
+#include "geometry/line.hpp"
+#include "query/body/earliest.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods {
+
+// A position in doubles, and an upper bound of its distance from the real one.
+struct Place {
+    Vec3 point;
+    double error;
+};
+// Returns the position at parameter s of the line, or at one that is off by 4 u' s.
+Place place_on(const Line& line, double s);
+
+// The points of a line and the triangles of a boundary: pair.a is 0.
+class NearLine {
+  public:
+    // Everything that the arguments refer to must outlive this object.
+    NearLine(const Line& line, const Posed<MeshShape>& boundary, const exact::ExactSum& p, QueryMemory& memory)
+        : line_(line), boundary_(boundary), p_(p), memory_(memory) {}
+
+    std::optional<PairList> list(double from, double to, std::size_t most) const;
+
+  private:
+    const Line& line_;
+    const Posed<MeshShape>& boundary_;
+    const exact::ExactSum& p_;
+    QueryMemory& memory_;
+};
+
+// The triangles of a boundary that is translated, and of another one.
+class NearWay {
+  public:
+    NearWay(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, const exact::ExactSum& p,
+            QueryMemory& memory)
+        : a_(a), motion_(motion), b_(b), p_(p), memory_(memory) {}
+
+    std::optional<PairList> list(double from, double to, std::size_t most) const;
+
+  private:
+    const Posed<MeshShape>& a_;
+    const Vec3& motion_;
+    const Posed<MeshShape>& b_;
+    const exact::ExactSum& p_;
+    QueryMemory& memory_;
+};
+
+}  // namespace ecods

@@ -1,0 +1,88 @@
+// Answers casts of rounded bodies. Bodies that are apart at the start meet when their cores are first at the distance
+// p, the sum of the radii. Since p > 0, the cores are apart then, and closest to each other on their boundaries.
+#include "base/double_key.hpp"
+#include "base/limits.hpp"
+#include "ecods/cast.hpp"
+#include "ecods/rounded.hpp"
+#include "exact/point/posed_point.hpp"
+#include "geometry/find_invalid.hpp"
+#include "query/body/near_pairs.hpp"
+#include "query/body/posed_body.hpp"
+#include "query/body/rounded_pair.hpp"
+#include "query/body/rounded_way.hpp"
+#include "query/intersection/asking.hpp"
+
+namespace ecods {
+namespace {
+
+// Returns the first contact of the pairs found if its real time is at most `latest`: the least rounded time, then the
+// first features. A pair whose time rounds to `latest` may be late; one that is not must have the same rounded time.
+std::optional<FirstContact> first_by(double latest, const std::vector<NearTimes>& found) {
+    const NearTimes* best = nullptr;
+    const auto key = [](const NearTimes& times) { return key_of(times.interval.first.rounded); };
+    bool is_in_time = false;
+    for (const NearTimes& times : found) {
+        if (best != nullptr && key(times) > key(*best)) continue;
+        if (best == nullptr || key(times) < key(*best)) is_in_time = false;
+        if (best == nullptr || key(times) < key(*best) || rank(times.first) < rank(best->first)) best = &times;
+        is_in_time = is_in_time || key(times) < key_of(latest) ||
+                     (key(times) == key_of(latest) &&
+                      exact::compare(times.interval.first.time, exact::ScaledInteger(latest)) <= 0);
+    }
+    if (!is_in_time) return std::nullopt;
+    return FirstContact{best->interval.first.rounded, best->first.kind, best->first.a, best->first.b};
+}
+
+std::optional<FirstContact> cast_boundaries(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                            const exact::ExactSum& p, double latest, QueryMemory& memory) {
+    const exact::ScaledLongVector step = exact::exact_vector(motion);
+    if (exact::is_zero(step)) return std::nullopt;
+    const NearWay near(a, motion, b, p, memory);
+    RoundedWay way(a, step, b, p);
+    std::optional<FirstContact> contact;
+    search_earliest(
+        latest, [&](double from, double to, std::size_t most) { return near.list(from, to, most); },
+        [&](const PairList& pairs, double to) {
+            way.add(pairs);
+            contact = first_by(latest, way.found());
+            return contact && key_of(contact->time) <= key_of(to);
+        });
+    return contact;
+}
+
+}  // namespace
+
+std::optional<FirstContact> RoundedPair::cast(const Vec3& motion, double max_time, const Ask& ask) const {
+    const exact::ExactSum p = radii().sum();
+    if (p.sign() == 0) return ecods::cast(a.core, motion, b.core, max_time, ask);
+    const double latest = require_time(max_time);
+    validate_motion(motion);
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    const BodyPairAsked bodies(a.core, b.core);
+    return as_one_query(memory, [&]() -> std::optional<FirstContact> {
+        const Ask part(memory, asking.witness());
+        if (intersects(part)) {
+            const ClosestPoints at = closest(part);
+            return FirstContact{0, at.kind, at.a, at.b};
+        }
+        auto contact = cast_boundaries(bodies.a.boundary(), motion, bodies.b.boundary(), p, latest, memory);
+        if (contact) bodies.rename(*contact);
+        return contact;
+    });
+}
+
+std::optional<FirstContact> cast(const Posed<Rounded>& a, const Vec3& motion, const Posed<Rounded>& b, double max_time,
+                                 const Ask& ask) {
+    return RoundedPair{a, b}.cast(motion, max_time, ask);
+}
+std::optional<FirstContact> cast(const Posed<Rounded>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                 double max_time, const Ask& ask) {
+    return RoundedPair{a, b}.cast(motion, max_time, ask);
+}
+std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<Rounded>& b,
+                                 double max_time, const Ask& ask) {
+    return RoundedPair{a, b}.cast(motion, max_time, ask);
+}
+
+}  // namespace ecods

@@ -1,0 +1,73 @@
+// Answers the signed distance and the depth of rounded bodies. Let h(n) be the gap of two convex sets along a unit
+// vector n: the least n . y of the second less the greatest n . x of the first. Radii shorten the gap by their sum p
+// along every vector. So the greatest gap of all, which is the distance D, or minus the depth, is less by p.
+#include "base/double_key.hpp"
+#include "ecods/error.hpp"
+#include "query/body/contained.hpp"
+#include "query/body/rounded_pair.hpp"
+#include "query/convex/convex_core.hpp"
+#include "query/depth/signed_pair.hpp"
+#include "query/distance/surface_distance.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
+
+namespace ecods {
+
+SignedDistance RoundedPair::signed_distance(const Ask& ask) const {
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    const BodyPairAsked bodies(a.core, b.core);
+    return as_one_query(memory, [&] {
+        const Ask part(memory, asking.witness());
+        if (bodies.are_convex()) {
+            return depths::signed_distance(bodies.a.convex(), bodies.b.convex(), radii(), part);
+        }
+        if (!is_part_inside(bodies, memory)) {
+            if (auto apart = surface::signed_closest(bodies.a.boundary(), bodies.b.boundary(), part, radii())) {
+                ClosestPoints& at = apart->closest;
+                bodies.rename(at);
+                return SignedDistance{at.distance, at.kind, at.a, at.b, at.point_a, at.point_b, *apart->direction};
+            }
+        }
+        if (!convex::is_convex_core(*a.core.what) || !convex::is_convex_core(*b.core.what)) {
+            throw NotSupported("the cores share a point, and one of them is not convex: their depth is not known");
+        }
+        const Posed<ConvexSolid> first = convex::convex_core(a.core), second = convex::convex_core(b.core);
+        return depths::signed_distance(first, second, radii(), part);
+    });
+}
+
+std::optional<Depth> RoundedPair::depth(const Ask& ask) const {
+    if (!convex::is_convex_core(*a.core.what) || !convex::is_convex_core(*b.core.what)) {
+        throw NotSupported("a body is not convex: its depth is not known");
+    }
+    const BodyPairAsked bodies(a.core, b.core);
+    if (radii().sum().sign() == 0 && bodies.are_convex()) {
+        return ecods::depth(bodies.a.convex(), bodies.b.convex(), ask);
+    }
+    const SignedDistance found = signed_distance(ask);
+    if (key_of(found.distance) > 0) return std::nullopt;
+    return Depth{opposite(found.distance), found.a, found.b, found.direction};
+}
+
+SignedDistance signed_distance(const Posed<Rounded>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.signed_distance(ask);
+}
+SignedDistance signed_distance(const Posed<Rounded>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return RoundedPair{a, b}.signed_distance(ask);
+}
+SignedDistance signed_distance(const Posed<MeshShape>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.signed_distance(ask);
+}
+
+std::optional<Depth> depth(const Posed<Rounded>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.depth(ask);
+}
+std::optional<Depth> depth(const Posed<Rounded>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    return RoundedPair{a, b}.depth(ask);
+}
+std::optional<Depth> depth(const Posed<MeshShape>& a, const Posed<Rounded>& b, const Ask& ask) {
+    return RoundedPair{a, b}.depth(ask);
+}
+
+}  // namespace ecods

@@ -1,0 +1,16 @@
+// Declares the signed distance of two convex solids with radii around them.
+#pragma once
+
+#include "ecods/ask.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/solid.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
+
+namespace ecods::depths {
+
+// Returns the distance of the solids less the radii, or minus the sum of their depth and the radii, with the points of
+// the rounded solids. Counts as a question. Throws SingularPose.
+SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Radii& radii,
+                               const Ask& ask);
+
+}  // namespace ecods::depths

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/double_key.hpp"
+#include "base/limits.hpp"
+#include "ecods/contact.hpp"
+#include "ecods/error.hpp"
+#include "ecods/half_space.hpp"
+#include "query/convex/convex_core.hpp"
+#include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
+#include "query/patch/half_space_patch.hpp"
+#include "query/patch/hulls_patch.hpp"
+
+namespace ecods {
+namespace {
+
+void require_valid(const PatchLimits& limits) {
+    const double cosine = limits.min_cos_squared, gap = limits.max_gap;
+    if (key_of(cosine) <= 0 || key_of(cosine) > key_of(1.0)) {
+        throw InvalidArgument("min_cos_squared must be above 0 and at most 1", Argument::size, "min_cos_squared",
+                              cosine);
+    }
+    if (key_of(gap) > infinity_key || key_of(gap) <= -infinity_key) {
+        throw InvalidArgument("max_gap must not be NaN or -infinity", Argument::distance, "max_gap", gap);
+    }
+}
+
+// Returns the shape, if it is a convex solid, or its core, if this is convex; otherwise null.
+const MeshShape* find_core(const Shape& shape) noexcept {
+    const auto* const rounded = dynamic_cast<const Rounded*>(&shape);
+    if (rounded != nullptr) return convex::is_convex_core(rounded->core()) ? &rounded->core() : nullptr;
+    return dynamic_cast<const ConvexSolid*>(&shape);
+}
+
+Posed<ConvexSolid> core_of(const Posed<Shape>& posed, int argument) {
+    const Shape& shape = *posed.what;
+    if (const MeshShape* const core = find_core(shape)) {
+        return convex::convex_core(Posed<MeshShape>(*core, posed.pose));
+    }
+    throw NotSupported(std::string("a contact patch is of convex bodies and half spaces: the ") +
+                       (argument == 0 ? "first" : "second") + " body is neither");
+}
+
+double radius_of(const Shape& shape) noexcept {
+    const auto* const rounded = dynamic_cast<const Rounded*>(&shape);
+    return rounded != nullptr ? rounded->radius() : 0;
+}
+
+// Exchanges the bodies of a patch with a half space, whose one feature leaves the first corner the first.
+void exchange(ContactPatch& patch) {
+    for (double& x : patch.normal) x = opposite(x);
+    for (PatchCorner& corner : patch.corners) {
+        std::swap(corner.point_a, corner.point_b);
+        std::swap(corner.a, corner.b);
+    }
+    if (patch.corners.size() > 2) std::reverse(patch.corners.begin() + 1, patch.corners.end());
+}
+
+}  // namespace
+
+patches::ConvexBody::ConvexBody(const Posed<Shape>& posed, int argument)
+    : core(core_of(posed, argument)), radius(radius_of(*posed.what)) {}
+
+bool patches::have_patch(const Shape& a, const Shape& b) noexcept {
+    const auto is_plane = [](const Shape& shape) { return dynamic_cast<const HalfSpace*>(&shape) != nullptr; };
+    const auto is_convex = [](const Shape& shape) { return find_core(shape) != nullptr; };
+    return is_plane(a) ? is_convex(b) : is_convex(a) && (is_plane(b) || is_convex(b));
+}
+
+ContactPatch contact_patch(const Posed<Shape>& a, const Posed<Shape>& b, const PatchLimits& limits, const Ask& ask) {
+    require_valid(limits);
+    const auto *const plane_a = dynamic_cast<const HalfSpace*>(a.what), *const plane_b =
+                                                                            dynamic_cast<const HalfSpace*>(b.what);
+    if (plane_a != nullptr && plane_b != nullptr) throw NotSupported("two half spaces have no contact patch");
+    Asking asking(ask);
+    QueryMemory& memory = asking.memory();
+    ++QueryMemoryAccess::state(memory).counts.queries;
+    if (plane_b != nullptr) {
+        return patches::patch_on_plane(patches::ConvexBody(a, 0), {*plane_b, b.pose}, 1, limits);
+    }
+    if (plane_a != nullptr) {
+        ContactPatch patch = patches::patch_on_plane(patches::ConvexBody(b, 1), {*plane_a, a.pose}, 0, limits);
+        exchange(patch);
+        return patch;
+    }
+    const patches::ConvexBody x(a, 0), y(b, 1);
+    convex::PosedHulls hulls(x.core, y.core, memory);
+    return patches::patch_of_hulls(hulls, {x.radius, y.radius}, limits, memory, asking.witness());
+}
+
+}  // namespace ecods

@@ -1,0 +1,15 @@
+// Computes the contact patch of a convex body and a half space.
+#pragma once
+
+#include "ecods/contact.hpp"
+#include "ecods/half_space.hpp"
+#include "query/patch/convex_body.hpp"
+
+namespace ecods::patches {
+
+// Returns the patch, with the body as the first one; the limits must be valid. `argument` is the number of the half
+// space in the question, which a SingularPose names.
+ContactPatch patch_on_plane(const ConvexBody& body, const Posed<HalfSpace>& half_space, int argument,
+                            const PatchLimits& limits);
+
+}  // namespace ecods::patches

@@ -1,0 +1,183 @@
+#include "query/patch/hulls_patch.hpp"
+
+#include <optional>
+#include <vector>
+
+#include "base/assert.hpp"
+#include "base/double_key.hpp"
+#include "base/limits.hpp"
+#include "exact/measure/round/distance_beyond.hpp"
+#include "geometry/feature_key.hpp"
+#include "query/convex/closest_hulls.hpp"
+#include "query/convex/exact_hulls.hpp"
+#include "query/depth/depth_memory.hpp"
+#include "query/patch/facing.hpp"
+#include "query/patch/patch_rounding.hpp"
+
+namespace ecods::patches {
+namespace {
+
+using Kind = Feature::Kind;
+
+class HullsPatch {
+  public:
+    HullsPatch(convex::PosedHulls& hulls, const exact::Radii& radii, const PatchLimits& limits)
+        : hulls_(hulls), reach_(radii), limits_(limits) {}
+
+    ContactPatch find(QueryMemory& memory, PairWitness& witness) {
+        if (const auto closest = convex::find_closest(hulls_, &witness)) {
+            least_ = least_of_closest(hulls_, *closest);
+            if (!has_radius()) patch_.distance = round_distance(hulls_, closest->found);
+        } else {
+            const std::optional<depths::ExactDepth> found = depths::find_depth(hulls_, depths::DepthMemory::of(memory));
+            ECODS_ASSERT(found);
+            least_ = depths::least_of(hulls_, *found);
+            patch_.distance = opposite(found->depth);
+            witness = {name(0, least_.parts[0]).triangle, name(1, least_.parts[1]).triangle};
+        }
+        patch_.normal = least_.normal;
+        if (has_radius()) patch_.distance = distance_of_rounded();
+        const bool is_flat = hulls_.hull(0).is_flat() || hulls_.hull(1).is_flat();
+        if (has_radius() || is_flat || limits_.min_cos_squared < 1) normal_ = scaled_normal(hulls_, least_);
+        const HullFeaturePair facing{facing_part(0), facing_part(1)};
+        if (facing == least_.parts) {
+            use_least();
+        } else {
+            use_facing(facing);
+        }
+        return std::move(patch_);
+    }
+
+  private:
+    bool has_radius() const noexcept { return reach_.sum.sign() != 0; }
+    Feature name(std::size_t side, const HullFeature& part) const noexcept { return name_of(hulls_.hull(side), part); }
+
+    double distance_of_rounded() {
+        const exact::SquaredDistance square = square_of(hulls_, least_);
+        return least_.is_depth ? opposite(exact::round_signed_beyond(square, -reach_.sum))
+                               : exact::round_signed_beyond(square, reach_.sum);
+    }
+
+    HullFeature facing_part(std::size_t side) const {
+        if (!(limits_.min_cos_squared < 1)) return least_.parts[side];
+        return facing_feature({hulls_, side}, least_.parts[side], normal_, side == 1, limits_.min_cos_squared);
+    }
+
+    Polygons polygons_of(const HullFeaturePair& parts) const {
+        return {polygon_of({hulls_, 0}, parts[0], normal_, false), polygon_of({hulls_, 1}, parts[1], normal_, true)};
+    }
+
+    // True if the pair x is before y by the order of ClosestPoints.
+    bool is_before(const HullFeaturePair& x, const HullFeaturePair& y) const {
+        const auto names = [&](const HullFeaturePair& pair) {
+            const convex::HullFeatures found = features_of(hulls_, pair);
+            return FeatureNames{static_cast<ClosestKind>(found.features.kind), name(0, pair[0]), name(1, pair[1])};
+        };
+        return rank(names(x)) < rank(names(y));
+    }
+
+    // Support features: all gaps are equal.
+    void use_least() {
+        if (is_gap_too_large()) return;
+        convex::list_least(hulls_, least_, pairs_);
+        std::size_t first = 0;
+        for (std::size_t i = 1; i < pairs_.size(); ++i) {
+            if (is_before(pairs_[i], pairs_[first])) first = i;
+        }
+        const Polygons polygons = polygons_of(least_.parts);
+        order_around(polygons, first, pairs_, [&](const HullFeaturePair& edges) { return turn(polygons, edges); });
+        for (const HullFeaturePair& pair : pairs_) {
+            PatchCorner& corner = add(pair);
+            corner.gap = patch_.distance;
+            round_least(hulls_, pair, reach_, normal_, corner);
+        }
+        if (limits_.max_corners == 0 || pairs_.size() <= limits_.max_corners) {
+            patch_.corner_count = static_cast<std::uint32_t>(pairs_.size());
+            return;
+        }
+        normal_ = scaled_normal(hulls_, least_);
+        const SeenAlong seen(hulls_, polygons, normal_);
+        keep_corners(patch_, limits_.max_corners, normal_.n,
+                     [&](std::size_t i) { return seen.corner(pairs_[i]).at[0]; });
+    }
+
+    // Rounding keeps order, so that the rounded gap decides unless it equals the limit.
+    bool is_gap_too_large() {
+        const std::int64_t gap = key_of(patch_.distance), limit = key_of(limits_.max_gap);
+        if (gap != limit || limit == infinity_key) return gap > limit;
+        const exact::ExactSum cores = reach_.sum.plus(limits_.max_gap);
+        const exact::SquaredDistance square = square_of(hulls_, least_);
+        if (!least_.is_depth) return cores.sign() < 0 || exact::compare(square, cores) > 0;
+        return cores.sign() < 0 && exact::compare(square, -cores) < 0;
+    }
+
+    // Returns the sign of the turn between two edges that cross, each in the direction of its polygon. Their cross
+    // product is along the normal, or against it.
+    int turn(const Polygons& polygons, const HullFeaturePair& edges) {
+        std::array<convex::HullVertex, 6> vertices;
+        for (const std::size_t side : {0, 1}) {
+            const Polygon& polygon = polygons[side];
+            const std::size_t i = polygon.index_of(edges[side]);
+            vertices[3 * side] = {side, polygon.corners[i].vertex};
+            vertices[3 * side + 1] = vertices[3 * side + 2] = {side, polygon.corners[polygon.next(i)].vertex};
+        }
+        Eigen::Index most = 0;
+        least_.normal.cwiseAbs().maxCoeff(&most);
+        return with_exact_features(hulls_, vertices,
+                                   [&]<int L>(const auto&, const exact::ExactFeatures<L>& features, const auto&) {
+                                       const auto n = features.normal(exact::features_of_counts(2, 2));
+                                       const int sign = exact::sign<2 * L>(n[static_cast<std::size_t>(most)]);
+                                       return least_.normal[most] < 0 ? -sign : sign;
+                                   });
+    }
+
+    // Features that face the normal within the tilt: each corner has a gap of its own.
+    void use_facing(const HullFeaturePair& facing) {
+        const Polygons polygons = polygons_of(facing);
+        SeenAlong seen(hulls_, polygons, normal_);
+        seen.list(pairs_);
+        std::size_t first = 0;
+        LongCorner least = seen.corner(pairs_[0]);
+        for (std::size_t i = 1; i < pairs_.size(); ++i) {
+            LongCorner other = seen.corner(pairs_[i]);
+            const int more = compare(other.num * least.den, least.num * other.den);
+            if (more > 0 || (more == 0 && is_before(pairs_[first], pairs_[i]))) continue;
+            first = i;
+            least = std::move(other);
+        }
+        order_around(polygons, first, pairs_, [&](const HullFeaturePair& edges) { return seen.turn(edges); });
+        std::vector<LongPoint> points;
+        const bool is_limited = key_of(limits_.max_gap) != infinity_key;
+        for (const HullFeaturePair& pair : pairs_) {
+            const LongCorner exact = seen.corner(pair);
+            if (is_limited && compare_gap(exact, reach_, normal_, limits_.max_gap) > 0) continue;
+            round_corner(exact, reach_, normal_, add(pair));
+            points.push_back(exact.at[0]);
+        }
+        keep_corners(patch_, limits_.max_corners, normal_.n, [&](std::size_t i) { return points[i]; });
+    }
+
+    PatchCorner& add(const HullFeaturePair& pair) {
+        PatchCorner& corner = patch_.corners.emplace_back();
+        corner.a = name(0, pair[0]);
+        corner.b = name(1, pair[1]);
+        return corner;
+    }
+
+    convex::PosedHulls& hulls_;
+    const Reach reach_;
+    const PatchLimits& limits_;
+    convex::LeastDifference least_;
+    ExactNormal normal_;  // set if there are radii, a solid is flat, or a tilt is allowed
+    std::vector<HullFeaturePair> pairs_;
+    ContactPatch patch_;
+};
+
+}  // namespace
+
+ContactPatch patch_of_hulls(convex::PosedHulls& hulls, const exact::Radii& radii, const PatchLimits& limits,
+                            QueryMemory& memory, PairWitness& witness) {
+    return HullsPatch(hulls, radii, limits).find(memory, witness);
+}
+
+}  // namespace ecods::patches

@@ -1,0 +1,34 @@
+// Rounds the numbers of a patch's corners, each once.
+#pragma once
+
+#include "ecods/contact.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
+#include "query/patch/seen_along.hpp"
+
+namespace ecods::patches {
+
+// The radii of two rounded bodies, and how their points move from those of the cores: along the normal by these
+// lengths.
+struct Reach {
+    explicit Reach(const exact::Radii& radii)
+        : sum(radii.sum()), of_a(radii.a), of_b(-ScaledInteger(radii.b)), of_middle(half_of(of_a + of_b)) {}
+
+    exact::ExactSum sum;
+    ScaledInteger of_a, of_b, of_middle;
+
+  private:
+    static ScaledInteger half_of(const ScaledInteger& x) { return {x.m(), x.e() - 1}; }
+};
+
+// Sets both points and the middle of a corner that is made by features with the least difference. `normal` is used only
+// if there are radii.
+void round_least(convex::PosedHulls& hulls, const HullFeaturePair& pair, const Reach& reach, const ExactNormal& normal,
+                 PatchCorner& corner);
+
+// Sets both points, the middle and the gap of any corner.
+void round_corner(const LongCorner& exact, const Reach& reach, const ExactNormal& normal, PatchCorner& corner);
+
+// Returns the sign of the corner's gap, less the radii, minus d, which must be finite.
+int compare_gap(const LongCorner& exact, const Reach& reach, const ExactNormal& normal, double d);
+
+}  // namespace ecods::patches

@@ -1,0 +1,34 @@
+// A feature of a hull as a convex polygon that is seen along a normal.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "query/convex/hull_features.hpp"
+
+namespace ecods::patches {
+
+using convex::HullFeature;
+
+struct Polygon {
+    // `is_turned` says that the cycles of faces, as the hull has them, are clockwise around the normal.
+    Polygon(const convex::Hull& hull, const HullFeature& of, bool is_turned);
+
+    std::size_t vertex_count() const noexcept { return corners.size(); }
+    std::size_t edge_count() const noexcept { return corners.size() < 3 ? corners.size() - 1 : corners.size(); }
+    std::size_t next(std::size_t i) const noexcept { return i + 1 == corners.size() ? 0 : i + 1; }
+    std::size_t previous(std::size_t i) const noexcept { return i == 0 ? corners.size() - 1 : i - 1; }
+    bool is_face() const noexcept { return feature.kind == Feature::Kind::face; }
+
+    HullFeature vertex(std::size_t i) const noexcept { return {Feature::Kind::vertex, corners[i].vertex}; }
+    HullFeature edge(std::size_t i) const noexcept { return {Feature::Kind::edge, corners[i].edge}; }
+    // Returns the number of the polygon's vertex or edge that is this feature.
+    std::size_t index_of(const HullFeature& part) const noexcept;
+
+    HullFeature feature;
+    // The vertices, of a face counterclockwise around the normal, each with the edge to the next one.
+    std::vector<convex::Hull::Neighbor> corners;
+};
+
+}  // namespace ecods::patches

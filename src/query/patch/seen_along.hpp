@@ -1,0 +1,78 @@
+// Two convex polygons in space as they are seen along a normal, exactly: which of their vertices and edges are over
+// each other, and the points there.
+//
+// Seen along n, a point c is on the left of the edge from p to q if (c - p) . (n x (q - p)) > 0. All numbers are sums
+// and products of given doubles, of any length; nothing is rounded.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "exact/number/long_vector.hpp"
+#include "query/convex/closest_hulls.hpp"
+#include "query/patch/corner_order.hpp"
+
+namespace ecods::patches {
+
+using exact::ScaledInteger;
+using exact::ScaledLongVector;
+
+// A direction, from the first body to the second, and the square of its length.
+struct ExactNormal {
+    ScaledLongVector n;
+    ScaledInteger square;
+};
+// Returns the direction of `least`.
+ExactNormal scaled_normal(convex::PosedHulls& hulls, const convex::LeastDifference& least);
+
+// The point num / den, den > 0.
+struct LongPoint {
+    ScaledLongVector num;
+    ScaledInteger den{1.0};
+};
+
+// A corner of a patch: a point of each body, and num / den = n . (second - first), den > 0. It is |n| times the gap.
+struct LongCorner {
+    std::array<LongPoint, 2> at;
+    ScaledInteger num, den;
+};
+
+class SeenAlong {
+  public:
+    // The polygons must be so turned that no two vertices of one are over each other. What is passed must outlive this.
+    SeenAlong(const convex::PosedHulls& hulls, const Polygons& polygons, const ExactNormal& normal);
+
+    // Sets `pairs` to all pairs of features that are over each other in exactly one point, in the interior of both.
+    void list(std::vector<HullFeaturePair>& pairs);
+    // Returns the sign of the turn between two edges, as order_around() takes it.
+    int turn(const HullFeaturePair& edges) const;
+    // Returns the points of the features of such a pair that are over each other.
+    LongCorner corner(const HullFeaturePair& pair) const;
+
+  private:
+    // A point c is left of the edge from p if (c - p) . left > 0, and further along it than p if (c - p) . along > 0.
+    struct Edge {
+        ScaledLongVector way, left, along;
+    };
+    const ScaledLongVector& point(std::size_t side, std::size_t i) const noexcept { return points_[side][i]; }
+    const ScaledLongVector& point_of(std::size_t side, const HullFeature& part) const noexcept {
+        return point(side, polygons_[side].index_of(part));
+    }
+    // Returns the sign of the side of edge i on which a vertex of the other polygon is.
+    int sign(std::size_t side, std::size_t i, std::size_t vertex) const noexcept {
+        return signs_[side][i * points_[1 - side].size() + vertex];
+    }
+    HullFeature feature_below(std::size_t side, std::size_t vertex, bool& is_over) const;
+    HullFeature on_edge(std::size_t of, const ScaledLongVector& c, bool& is_over) const;
+    bool do_cross(std::size_t i, std::size_t j) const noexcept;
+    LongPoint foot_on_edge(std::size_t of, std::size_t i, const ScaledLongVector& c) const;
+    LongPoint foot_on_face(std::size_t of, const ScaledLongVector& c) const;
+
+    const Polygons& polygons_;
+    const ExactNormal& normal_;
+    std::array<std::vector<ScaledLongVector>, 2> points_;  // by vertex
+    std::array<std::vector<Edge>, 2> edges_;
+    std::array<std::vector<int>, 2> signs_;  // by edge, and by vertex of the other polygon; empty before list()
+};
+
+}  // namespace ecods::patches

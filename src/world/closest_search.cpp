@@ -1,0 +1,33 @@
+#include "world/closest_search.hpp"
+
+#include "geometry/box_distance.hpp"
+#include "world/pair_question.hpp"
+
+namespace ecods {
+
+// If no distance >= 0 can win, only pairs that share inner points can: their depth is compared with a bound from their
+// boxes, then found. A signed distance is found with its points, which cost little more; other points are found at the
+// end, for the pair that has won.
+double ClosestSearch::offer(ProxyPair pair) {
+    if (least_.has_name() && least_.name() == pair) return bound();
+    const PairQuestion asked(bodies_, tests_, pair);
+    const std::optional<double> reach = least_.reach(pair);
+    if (!reach &&
+        (!least_.may_win(pair, signed_distance_below(boxes_.box(pair.a), boxes_.box(pair.b))) || !asked.is_signed())) {
+        return bound();
+    }
+    const Ask ask = asked_of(pair);
+    if (!asked.is_within(reach.value_or(0), ask)) return bound();
+    std::optional<ClosestPair> found;
+    if (asked.is_signed()) found = asked.find(ask);
+    if (least_.take(pair, found ? found->distance : asked.distance(ask))) known_ = found;
+    return bound();
+}
+
+std::optional<ClosestPair> ClosestSearch::answer() {
+    if (!least_.has_name()) return std::nullopt;
+    if (!known_) known_ = PairQuestion(bodies_, tests_, least_.name()).find(asked_of(least_.name()));
+    return known_;
+}
+
+}  // namespace ecods

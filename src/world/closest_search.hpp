@@ -1,0 +1,52 @@
+// Keeps the closest of the pairs that are offered to it, and asks only those that may be closer.
+#pragma once
+
+#include <optional>
+
+#include "broad_phase/overlap_tracker.hpp"
+#include "ecods/ask.hpp"
+#include "ecods/results.hpp"
+#include "world/bodies.hpp"
+#include "world/closest_memory.hpp"
+#include "world/least.hpp"
+#include "world/two_body_tests.hpp"
+
+namespace ecods {
+
+class ClosestSearch {
+  public:
+    // All that is passed must outlive this object. `limit` is >= 0, or infinity.
+    ClosestSearch(const Bodies& bodies, const TwoBodyTests& tests, const OverlapTracker& boxes, double limit,
+                  QueryMemory& memory)
+        : bodies_(bodies),
+          tests_(tests),
+          boxes_(boxes),
+          memory_(memory),
+          hints_(ClosestMemory::of(memory)),
+          least_(limit) {}
+
+    // Offers a pair that is not filtered out; a pair may be offered again. Returns bound().
+    double offer(ProxyPair pair);
+
+    // True if a pair may win that has this lower bound of its distance, >= 0.
+    bool may_win(ProxyPair pair, double lower) const noexcept { return lower <= 0 || least_.may_win(pair, lower); }
+
+    // Returns an upper bound of the distances of boxes of later pairs that may win: if bodies share points, their boxes
+    // do.
+    double bound() const noexcept { return positive_part(least_.bound()); }
+
+    std::optional<ClosestPair> answer();
+
+  private:
+    Ask asked_of(ProxyPair pair) const noexcept { return {memory_, hints_.witness(bodies_.ids_of(pair))}; }
+
+    const Bodies& bodies_;
+    const TwoBodyTests& tests_;
+    const OverlapTracker& boxes_;
+    QueryMemory& memory_;
+    ClosestMemory& hints_;
+    Least<ProxyPair> least_;
+    std::optional<ClosestPair> known_;  // the answer, if it was found with the distance
+};
+
+}  // namespace ecods

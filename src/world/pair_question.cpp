@@ -1,0 +1,53 @@
+#include "world/pair_question.hpp"
+
+#include <utility>
+
+#include "base/double_key.hpp"
+#include "base/limits.hpp"
+#include "query/convex/solid_pair.hpp"
+#include "query/intersection/asking.hpp"
+#include "world/signed_distance_of.hpp"
+
+namespace ecods {
+
+bool PairQuestion::is_signed() const {
+    return test_.has_signs && have_signed_distance(a_, b_);
+}
+
+bool PairQuestion::is_within(double max_distance, const Ask& ask) const {
+    return key_of(max_distance) == infinity_key || test_.ask(a_, b_, &TwoBodyTest::within, max_distance, ask);
+}
+
+double PairQuestion::distance(const Ask& ask) const {
+    if (test_.has_signs) {
+        if (const auto found = signed_distance_of(a_, b_, ask)) return found->distance;
+    }
+    return test_.ask(a_, b_, &TwoBodyTest::distance, ask);
+}
+
+// Asks for the closest points of convex solids first: no direction is then rounded, which costs as much as a point.
+std::optional<ClosestPair> PairQuestion::find_signed(const Ask& ask) const {
+    if (const auto convex = as_convex_pair(a_, b_)) {
+        Asking asking(ask);
+        const auto points = convex::closest(convex->a, convex->b, asking.memory(), asking.witness());
+        if (points) return ClosestPair{ids_, points->distance, *points};
+    }
+    const auto found = signed_distance_of(a_, b_, ask);
+    if (!found) return std::nullopt;
+    const ClosestPoints points{found->distance, found->kind, found->a, found->b, found->point_a, found->point_b};
+    ClosestPair pair{ids_, found->distance, points};
+    if (key_of(found->distance) <= 0) pair.direction = found->direction;
+    return pair;
+}
+
+ClosestPair PairQuestion::find(const Ask& ask) const {
+    if (test_.has_signs) {
+        if (const auto found = find_signed(ask)) return *found;
+    }
+    if (!test_.test->answers(Question::closest)) return {ids_, test_.ask(a_, b_, &TwoBodyTest::distance, ask)};
+    ClosestPoints points = test_.ask(a_, b_, &TwoBodyTest::closest, ask);
+    if (test_.swapped) points = turned(points);
+    return {ids_, points.distance, points};
+}
+
+}  // namespace ecods

@@ -1,0 +1,38 @@
+// Asks how far two bodies of a world are from each other, with a sign where they have one.
+#pragma once
+
+#include <optional>
+
+#include "ecods/results.hpp"
+#include "world/bodies.hpp"
+#include "world/two_body_tests.hpp"
+
+namespace ecods {
+
+class PairQuestion {
+  public:
+    PairQuestion(const Bodies& bodies, const TwoBodyTests& tests, ProxyPair pair)
+        : ids_(bodies.ids_of(pair)),
+          a_(bodies[pair.a].posed()),
+          b_(bodies[pair.b].posed()),
+          test_(tests.find(bodies[pair.a].kind, bodies[pair.b].kind)) {}
+
+    // True if the distance is signed, as ClosestPair says.
+    bool is_signed() const;
+
+    // True if the real distance is at most max_distance, which is at least 0; infinity is allowed.
+    bool is_within(double max_distance, const Ask& ask) const;
+
+    // Return the distance alone, and with all that ClosestPair has.
+    double distance(const Ask& ask) const;
+    ClosestPair find(const Ask& ask) const;
+
+  private:
+    std::optional<ClosestPair> find_signed(const Ask& ask) const;
+
+    BodyPair ids_;
+    Posed<Shape> a_, b_;
+    OrderedTest test_;
+};
+
+}  // namespace ecods

@@ -1,0 +1,79 @@
+#include "oracle/rounded_motion.hpp"
+
+#include <bit>
+#include <cstdint>
+
+#include "oracle/triangle_distance.hpp"
+
+namespace ecods::oracle {
+namespace {
+
+TriangleOf<mpz_class> in_units(const RoundedMotion::Corners& corners, const mpz_class& unit) {
+    std::array<Vector<mpz_class>, 3> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) result[i][k] = mpq_class(corners[i][k] * unit).get_num();
+    }
+    return TriangleOf<mpz_class>(result);
+}
+
+bool pierce(const TriangleOf<mpz_class>& s, const TriangleOf<mpz_class>& t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (pierces(s, i, t).may_be) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+mpq_class RoundedMotion::squared(const mpq_class& time) const {
+    Corners moved = a_;
+    mpz_class unit = 1;
+    for (auto& corner : moved) {
+        for (std::size_t k = 0; k < 3; ++k) corner[k] += time * motion_[k];
+    }
+    for (const Corners* const corners : {&std::as_const(moved), &b_}) {
+        for (const auto& corner : *corners) {
+            for (const mpq_class& x : corner) unit = lcm(unit, x.get_den());
+        }
+    }
+    const TriangleOf<mpz_class> a = in_units(moved, unit), b = in_units(b_, unit);
+    if (pierce(a, b) || pierce(b, a)) return 0;
+    std::optional<mpq_class> least;
+    for (const FeaturePair& pair : feature_pairs()) {
+        const FeatureDistance<mpz_class> d = feature_distance(pair, a, b);
+        if (!d.is_inside) continue;
+        mpq_class square(d.num, d.den);
+        square.canonicalize();
+        if (!least || square < *least) least = square;
+    }
+    return *least / (unit * unit);
+}
+
+// The distance is a convex function of time. So before the first time it is more than p and falls.
+std::optional<double> RoundedMotion::first(double last) const {
+    const auto is_before = [&](const mpq_class& time) {
+        const mpq_class square = squared(time);
+        if (square <= square_) return false;
+        mpq_class later = time;
+        mpz_class den = 1;
+        den <<= 200;
+        later += time / mpq_class(den);
+        return squared(later) < square;
+    };
+    if (is_before(exactly(last))) return std::nullopt;
+    std::uint64_t low = 0, high = std::bit_cast<std::uint64_t>(last);
+    while (low < high) {
+        const std::uint64_t middle = low + (high - low) / 2;
+        is_before(middle_above(middle)) ? low = middle + 1 : high = middle;
+    }
+    const double time = std::bit_cast<double>(low);
+    if (is_near(middle_above(low)) || is_near(exactly(time))) return time;
+    return std::nullopt;
+}
+
+bool RoundedMotion::is_last(double time) const {
+    const auto bits = std::bit_cast<std::uint64_t>(time);
+    return (bits == 0 || is_near(middle_above(bits - 1))) && !is_near(middle_above(bits));
+}
+
+}  // namespace ecods::oracle
