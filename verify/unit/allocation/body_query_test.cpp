@@ -57,12 +57,12 @@ const PairCall questions[] = {
      }},
 };
 
-// Of all allocations, every so manieth fails: some 60 in each trial.
+// Of all allocations, every so manieth fails: some 200 in each trial.
 std::uint64_t stride_of(const Trial<Pair>& trial) {
     Pair pair = trial.make();
     const CountedAllocations counted;
     trial.call(pair);
-    return counted.count() / 60 + 1;
+    return counted.count() / 200 + 1;
 }
 
 TEST(BodyQueryOutOfMemory, EveryQuestionIsAnsweredTheNextTime) {
