@@ -46,8 +46,13 @@ class ClosestMemory final : public QueryMemoryPart {
         double lower;
         ProxyPair pair;
     };
-    std::vector<ProxyIndex> members_a, members_b;  // scratch: the bodies of both groups
-    std::vector<Candidate> candidates;             // scratch
+    struct Lists {
+        std::vector<ProxyIndex> members_a, members_b;  // the bodies of both groups
+        std::vector<Candidate> candidates;
+    };
+    // Scratch. A question takes it, and gives it back at its end: a two-body test of the caller's may ask another world
+    // meanwhile, in the same memory.
+    Lists lists;
 
   private:
     std::array<PairWitness, 1024> witnesses_;

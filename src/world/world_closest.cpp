@@ -36,13 +36,13 @@ void find_members(const Bodies& bodies, const GroupPair& groups, std::vector<Pro
 }
 
 // Offers all pairs of few bodies, those with the closest boxes first.
-void offer_few(ClosestSearch& search, const Bodies& bodies, const OverlapTracker& boxes, ClosestMemory& memory) {
-    auto& candidates = memory.candidates;
+void offer_few(ClosestSearch& search, const Bodies& bodies, const OverlapTracker& boxes, ClosestMemory::Lists& lists) {
+    auto& candidates = lists.candidates;
     candidates.clear();
     const double bound = search.bound();
-    for (const ProxyIndex a : memory.members_a) {
+    for (const ProxyIndex a : lists.members_a) {
         const Aabb& box = boxes.box(a);
-        for (const ProxyIndex b : memory.members_b) {
+        for (const ProxyIndex b : lists.members_b) {
             if (a == b) continue;
             const double lower = distance_below(box, boxes.box(b));
             if (lower <= bound) candidates.push_back({lower, ordered_pair(a, b)});
@@ -91,12 +91,14 @@ std::optional<ClosestPair> World::Impl::find_closest(double max_distance, const 
             return bodies.is_enabled(pair) ? search.offer(pair) : search.bound();
         });
     } else {
-        find_members(bodies, groups, hints.members_a, hints.members_b);
-        if (hints.members_a.size() * hints.members_b.size() <= few) {
-            offer_few(search, bodies, broad_phase, hints);
+        ClosestMemory::Lists lists = std::exchange(hints.lists, {});
+        find_members(bodies, groups, lists.members_a, lists.members_b);
+        if (lists.members_a.size() * lists.members_b.size() <= few) {
+            offer_few(search, bodies, broad_phase, lists);
         } else {
-            offer_many(search, bodies, broad_phase, groups, hints.members_a);
+            offer_many(search, bodies, broad_phase, groups, lists.members_a);
         }
+        hints.lists = std::move(lists);
     }
     const auto found = search.answer();
     if (found) last = found->bodies;
