@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/double_key.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 #include "simd/vec.hpp"
@@ -49,6 +50,11 @@ inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
         }
     }
     return std::nullopt;
+}
+
+// Compares keys: a vector of subnormal numbers is not zero, even if the processor takes subnormal numbers for zero.
+inline bool is_zero(const Vec3& v) noexcept {
+    return key_of(v[0]) == 0 && key_of(v[1]) == 0 && key_of(v[2]) == 0;
 }
 
 // Throws InvalidArgument if a coordinate of the vector is not finite.

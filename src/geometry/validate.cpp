@@ -51,11 +51,7 @@ void validate(const Ray& ray) {
         if (!is_finite(ray.origin[axis])) throw invalid_origin(axis, ray.origin[axis]);
         if (!is_finite(ray.direction[axis])) throw invalid_direction(axis, ray.direction[axis]);
     }
-    // Compares keys: a direction of subnormal numbers is not zero, even if the processor takes subnormal numbers for
-    // zero.
-    if (key_of(ray.direction[0]) == 0 && key_of(ray.direction[1]) == 0 && key_of(ray.direction[2]) == 0) {
-        throw no_direction();
-    }
+    if (is_zero(ray.direction)) throw no_direction();
     if (!is_from_zero(ray.max_parameter)) throw invalid_max_parameter(ray.max_parameter);
 }
 

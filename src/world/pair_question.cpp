@@ -27,7 +27,7 @@ double PairQuestion::distance(const Ask& ask) const {
 
 // Asks for the closest points of convex solids first: no direction is then rounded, which costs as much as a point.
 std::optional<ClosestPair> PairQuestion::find_signed(const Ask& ask) const {
-    if (const auto convex = as_convex_pair(a_, b_)) {
+    if (const auto convex = as_convex_solids(a_, b_)) {
         Asking asking(ask);
         const auto points = convex::closest(convex->a, convex->b, asking.memory(), asking.witness());
         if (points) return ClosestPair{ids_, points->distance, *points};

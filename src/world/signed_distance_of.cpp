@@ -26,15 +26,9 @@ bool is_mesh(const Posed<Shape>& posed) noexcept {
     return posed.what->kind() == ShapeKind::mesh();
 }
 
-bool is_rounded(const Posed<Shape>& posed) noexcept {
-    const ShapeKind kind = posed.what->kind();
-    return kind == ShapeKind::rounded() || kind == ShapeKind::rounded_convex();
-}
-
 // True if one is a half space, and the other one a mesh or a rounded body.
-bool have_half_space(const Posed<Shape>& a, const Posed<Shape>& b) noexcept {
-    const auto is_body = [](const Posed<Shape>& posed) { return is_mesh(posed) || is_rounded(posed); };
-    return is_half_space(a) ? is_body(b) : is_half_space(b) && is_body(a);
+bool have_half_space(const Posed<Shape>& a, const Posed<Shape>& b) {
+    return is_half_space(a) ? core_and_radius(b).has_value() : is_half_space(b) && core_and_radius(a).has_value();
 }
 
 SignedDistance from_half_space(const Posed<Shape>& body, const Posed<Shape>& other, const Ask& ask) {
@@ -58,21 +52,21 @@ std::optional<RoundedPair> as_convex_rounded_pair(const Posed<Shape>& a, const P
 }  // namespace
 
 std::optional<RoundedPair> as_rounded_pair(const Posed<Shape>& a, const Posed<Shape>& b) {
-    if (!is_rounded(a) && !is_rounded(b)) return std::nullopt;
+    if (is_mesh(a) && is_mesh(b)) return std::nullopt;
     const auto first = core_and_radius(a), second = core_and_radius(b);
     return first && second ? std::optional(RoundedPair{*first, *second}) : std::nullopt;
 }
 
-std::optional<ConvexPair> as_convex_pair(const Posed<Shape>& a, const Posed<Shape>& b) {
+std::optional<ConvexSolids> as_convex_solids(const Posed<Shape>& a, const Posed<Shape>& b) {
     const ConvexSolid *const first = as_convex(*a.what), *const second = as_convex(*b.what);
     if (first == nullptr || second == nullptr || !convex::is_regular(a.pose) || !convex::is_regular(b.pose)) {
         return std::nullopt;
     }
-    return ConvexPair{{*first, a.pose}, {*second, b.pose}};
+    return ConvexSolids{{*first, a.pose}, {*second, b.pose}};
 }
 
 bool have_signed_distance(const Posed<Shape>& a, const Posed<Shape>& b) {
-    return have_half_space(a, b) || as_convex_pair(a, b) || as_convex_rounded_pair(a, b);
+    return have_half_space(a, b) || as_convex_solids(a, b) || as_convex_rounded_pair(a, b);
 }
 
 void turn(SignedDistance& found) noexcept {
@@ -82,7 +76,7 @@ void turn(SignedDistance& found) noexcept {
 }
 
 std::optional<SignedDistance> signed_distance_of(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) {
-    if (const auto convex = as_convex_pair(a, b)) return signed_distance(convex->a, convex->b, ask);
+    if (const auto convex = as_convex_solids(a, b)) return signed_distance(convex->a, convex->b, ask);
     if (const auto rounded = as_convex_rounded_pair(a, b)) return rounded->signed_distance(ask);
     if (!have_half_space(a, b)) return std::nullopt;
     if (is_half_space(b)) return from_half_space(a, b, ask);

@@ -11,10 +11,10 @@
 namespace ecods {
 
 // Two convex solids at regular poses.
-struct ConvexPair {
+struct ConvexSolids {
     Posed<ConvexSolid> a, b;
 };
-std::optional<ConvexPair> as_convex_pair(const Posed<Shape>& a, const Posed<Shape>& b);
+std::optional<ConvexSolids> as_convex_solids(const Posed<Shape>& a, const Posed<Shape>& b);
 
 // Returns the pair if one of the two is a rounded body, and the other one or a mesh.
 std::optional<RoundedPair> as_rounded_pair(const Posed<Shape>& a, const Posed<Shape>& b);

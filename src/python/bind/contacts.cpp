@@ -5,6 +5,7 @@
 
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
+#include "python/bind/patch_limits.hpp"
 #include "python/bind/record.hpp"
 #include "python/bind/shapes.hpp"
 
@@ -45,7 +46,7 @@ void add_records(py::module_& m) {
 
 template <class A, class B>
 void add_patch(py::module_& m) {
-    const PatchLimits all;
+    const LimitArguments limits;
     m.def(
         "contact_patch",
         [](const A& a, const B& b, std::uint32_t max_corners, double min_cos_squared, double max_gap,
@@ -54,8 +55,7 @@ void add_patch(py::module_& m) {
                 return contact_patch(a, b, PatchLimits{max_corners, min_cos_squared, max_gap}, how);
             });
         },
-        py::arg("a"), py::arg("b"), py::arg("max_corners") = all.max_corners,
-        py::arg("min_cos_squared") = all.min_cos_squared, py::arg("max_gap") = all.max_gap,
+        py::arg("a"), py::arg("b"), limits.max_corners, limits.min_cos_squared, limits.max_gap,
         py::arg("witness") = py::none(),
         "ContactPatch of two convex bodies: ConvexSolid, sphere, capsule, another Rounded with a ConvexSolid or a "
         "triangle as its core; or one HalfSpace. max_corners: at most so many corners, 0 for all; min_cos_squared: "

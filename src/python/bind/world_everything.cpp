@@ -1,4 +1,5 @@
 // Binds the questions of World about all of its present bodies.
+#include "python/bind/patch_limits.hpp"
 #include "python/bind/world.hpp"
 
 namespace ecods::python {
@@ -53,7 +54,7 @@ void add_nearest(WorldClass& type, const py::arg& what, const py::arg_v& filter)
              "Pairs of ConvexSolids that share a point: a list of BodyDepth. Raises SingularPose.");
     type.def("signed_distances", asked_of_world<double>(ECODS_CALL(signed_distances)), py::arg("max_distance"),
              "The pairs of closest_pairs() without their points: a list of PairDistance, by ids.");
-    const PatchLimits all;
+    const LimitArguments limits;
     type.def(
         "contact_patches",
         [](const SharedWorld& self, std::uint32_t max_corners, double min_cos_squared, double max_gap) {
@@ -61,8 +62,7 @@ void add_nearest(WorldClass& type, const py::arg& what, const py::arg_v& filter)
                 return world.contact_patches({max_corners, min_cos_squared, max_gap});
             });
         },
-        py::arg("max_corners") = all.max_corners, py::arg("min_cos_squared") = all.min_cos_squared,
-        py::arg("max_gap") = all.max_gap,
+        limits.max_corners, limits.min_cos_squared, limits.max_gap,
         "Contact patches of all colliding pairs of convex bodies: a list of BodyPatch, in the order of "
         "colliding_pairs. Raises SingularPose, InvalidArgument.");
 }

@@ -1,4 +1,5 @@
 // Binds the questions of World about two subjects, each of which is a body of the world or a posed mesh.
+#include "python/bind/patch_limits.hpp"
 #include "python/bind/world.hpp"
 
 namespace ecods::python {
@@ -36,7 +37,7 @@ void add_pair_questions(WorldClass& type) {
              "NotSupported, SingularPose.");
     type.def("depth_bounds", asked_of_pair<>(ECODS_CALL(depth_bounds)), a, b,
              "DepthBounds of two Solids; None if they share no point. Raises NotSupported, SingularPose.");
-    const PatchLimits all;
+    const LimitArguments limits;
     type.def(
         "contact_patch",
         [](const SharedWorld& self, const Subject& first, const Subject& second, std::uint32_t max_corners,
@@ -45,8 +46,7 @@ void add_pair_questions(WorldClass& type) {
                 return world.contact_patch(to_asked(first), to_asked(second), {max_corners, min_cos_squared, max_gap});
             });
         },
-        a, b, py::arg("max_corners") = all.max_corners, py::arg("min_cos_squared") = all.min_cos_squared,
-        py::arg("max_gap") = all.max_gap,
+        a, b, limits.max_corners, limits.min_cos_squared, limits.max_gap,
         "ContactPatch of two convex bodies, as contact_patch(). Raises NotSupported, SingularPose, InvalidArgument.");
 }
 

@@ -76,10 +76,6 @@ std::optional<FirstContact> first_by(double latest, Translation& translation, Si
     return sieve.is_least_within(latest, is_by) ? contact : std::nullopt;
 }
 
-bool is_zero(const Vec3& v) {
-    return key_of(v[0]) == 0 && key_of(v[1]) == 0 && key_of(v[2]) == 0;
-}
-
 // Handles the case that neither body moves: they meet at time 0 or never.
 std::optional<FirstContact> cast_at_rest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
                                          PairWitness& witness) {

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "query/convex/hull_features.hpp"
 #include "query/convex/posed_hulls.hpp"
 #include "query/depth/depth_memory.hpp"
 #include "query/intersection/asking.hpp"
@@ -16,8 +15,7 @@ std::optional<Depth> depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>
     convex::PosedHulls hulls(a, b, memory);
     const std::optional<depths::ExactDepth> found = depths::find_depth(hulls, depths::DepthMemory::of(memory));
     if (!found) return std::nullopt;
-    const Depth result{found->depth, name_of(hulls.hull(0), found->face[0]), name_of(hulls.hull(1), found->face[1]),
-                       found->direction};
+    const Depth result = depth_of(hulls, *found);
     asking.witness() = {result.a.triangle, result.b.triangle};
     return result;
 }

@@ -4,8 +4,12 @@
 
 namespace ecods::depths {
 
+ConvexPair pair_of(convex::PosedHulls& hulls) {
+    return {ConvexBody{&hulls.hull(0), hulls.body(0)}, ConvexBody{&hulls.hull(1), hulls.body(1)}};
+}
+
 std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory) {
-    const ConvexPair pair{ConvexBody{&hulls.hull(0), hulls.body(0)}, ConvexBody{&hulls.hull(1), hulls.body(1)}};
+    const ConvexPair pair = pair_of(hulls);
     if (const std::optional<ExactDepth> flat = depth_in_plane(pair))
         return convex::find_closest(hulls, nullptr) ? std::nullopt : flat;
     switch (memory.polytope.find(hulls)) {
@@ -17,6 +21,10 @@ std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& mem
         default:
             return exact_depth(pair);
     }
+}
+
+Depth depth_of(convex::PosedHulls& hulls, const ExactDepth& found) {
+    return {found.depth, name_of(hulls.hull(0), found.face[0]), name_of(hulls.hull(1), found.face[1]), found.direction};
 }
 
 convex::LeastDifference least_of(convex::PosedHulls& hulls, const ExactDepth& found) {

@@ -157,7 +157,22 @@ class _Curved(_Numbers):
                           f"are up to {made.deviation:.2g} away from it", PolytopeWarning, stacklevel=3)
 
 
-class Cylinder(_Curved):
+class _Around(_Curved):
+    """A polytope around a body that is round about the z axis; _make is the builder."""
+    radius = _value("radius", "The radius, of a cone that of its disc.")
+    lz = _value("lz", "The height.")
+    sides = _value("sides", "The number of sides.")
+    _make: Callable[[float, float, int], Any]
+
+    def __init__(self, radius: float, lz: float, sides: int = 64) -> None:
+        super().__init__()
+        self._assign(radius=radius, lz=lz, sides=sides)
+
+    def _build(self, radius: float, lz: float, sides: int) -> Any:
+        return self._make(radius, lz, sides)
+
+
+class Cylinder(_Around):
     """A prism around a cylinder along z, centered at the origin; so what it is apart from, the cylinder is apart from.
 
     `sides` is not an argument of python-fcl's: the prism's number of sides, from 3 to 16384. deviation: no point of the
@@ -165,31 +180,13 @@ class Cylinder(_Curved):
     InvalidArgument.
     """
     _node_type = NODE_TYPE.GEOM_CYLINDER
-    radius = _value("radius", "The radius.")
-    lz = _value("lz", "The height.")
-    sides = _value("sides", "The number of sides.")
-
-    def __init__(self, radius: float, lz: float, sides: int = 64) -> None:
-        super().__init__()
-        self._assign(radius=radius, lz=lz, sides=sides)
-
-    def _build(self, radius: float, lz: float, sides: int) -> Any:
-        return _ecods.cylinder(radius, lz, sides)
+    _make = staticmethod(_ecods.cylinder)
 
 
-class Cone(_Curved):
+class Cone(_Around):
     """A pyramid around a cone along z, with its apex at lz / 2 and its disc at -lz / 2; otherwise as a Cylinder."""
     _node_type = NODE_TYPE.GEOM_CONE
-    radius = _value("radius", "The radius of the disc.")
-    lz = _value("lz", "The height.")
-    sides = _value("sides", "The number of sides.")
-
-    def __init__(self, radius: float, lz: float, sides: int = 64) -> None:
-        super().__init__()
-        self._assign(radius=radius, lz=lz, sides=sides)
-
-    def _build(self, radius: float, lz: float, sides: int) -> Any:
-        return _ecods.cone(radius, lz, sides)
+    _make = staticmethod(_ecods.cone)
 
 
 class Ellipsoid(_Curved):
@@ -212,29 +209,27 @@ class Ellipsoid(_Curved):
         return _ecods.sphere(radii[0]) if is_ball else _ecods.ellipsoid(radii, subdivisions)
 
 
-class Halfspace(_Numbers):
-    """The points x with n . x <= d. n need not be a unit vector: it is used as given. Raises InvalidArgument."""
-    _node_type = NODE_TYPE.GEOM_HALFSPACE
-    n = _value("n", "The normal (3,), as given, which points out of the half space.")
+class _Flat(_Numbers):
+    """A geometry that is given by n and d."""
+    n = _value("n", "The normal (3,), as given; it points out of a half space.")
     d = _value("d", "The offset, as given.")
 
     def __init__(self, n: Any, d: float) -> None:
         super().__init__()
         self._assign(n=n, d=d)
+
+
+class Halfspace(_Flat):
+    """The points x with n . x <= d. n need not be a unit vector: it is used as given. Raises InvalidArgument."""
+    _node_type = NODE_TYPE.GEOM_HALFSPACE
 
     def _build(self, n: Any, d: float) -> Any:
         return _ecods.HalfSpace(n, d)
 
 
-class Plane(_Numbers):
+class Plane(_Flat):
     """The points x with n . x = d, as what the half spaces on both sides share. Raises InvalidArgument."""
     _node_type = NODE_TYPE.GEOM_PLANE
-    n = _value("n", "The normal (3,), as given.")
-    d = _value("d", "The offset, as given.")
-
-    def __init__(self, n: Any, d: float) -> None:
-        super().__init__()
-        self._assign(n=n, d=d)
 
     def _build(self, n: Any, d: float) -> Any:
         return _ecods.HalfSpace(n, d), _ecods.HalfSpace(-np.asarray(n, dtype=float), -d)
