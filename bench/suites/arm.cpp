@@ -94,7 +94,7 @@ class Arm {
     std::vector<Pose> poses_, obstacle_poses_;
 };
 
-// What the caller writes: all pairs with a witness each, then the points of the closest.
+// OwnLoop does what a caller would write: it asks all pairs with a witness each, then for the points of the closest.
 class OwnLoop {
   public:
     double ask(const Arm& arm) {

@@ -111,7 +111,7 @@ void require_same(const char* what, const std::optional<Item>& got, const std::o
     throw CheckFailed(what, text_of(expected), text_of(got));
 }
 
-// What ClosestPair says about signs: which distances of a body have one.
+// Signs has what decides, for ClosestPair, if the distances of a body have signs.
 struct Signs {
     bool is_half_space, is_rounded = false, is_convex = false, is_triangle = false;
 

@@ -44,7 +44,7 @@ inline double distance_below(const Aabb& a, const Aabb& b) noexcept {
 // parts them is one: distance_below(), or if that is 0, minus the length of the shortest translation along an axis that
 // parts the boxes.
 //
-// That length is rounded up: each end that is flushed to zero changes it by less than 2^-1022, and a flushed difference
+// This length is rounded up: each end that is flushed to zero changes it by less than 2^-1022, and a flushed difference
 // by as much. The subtraction rounds by less than one unit in the last place, in any rounding mode, for which the first
 // next_down makes up; the second one does so for the subtrahend 2^-1020, which covers what is flushed. If it is too
 // small to change the number, one unit in the last place of that is more than 2^-1020.

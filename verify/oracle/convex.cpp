@@ -44,8 +44,8 @@ struct ConvexPair::Impl {
         environment.reset();  // the caller's again
     }
 
-    // Whether the vector between the closest points of all pairs of features has one body before the other. If the
-    // bodies share a point, no vector does; otherwise that one.
+    // Returns true if the vector between the closest points of all pairs of features has one body before the other. If
+    // the bodies share a point, no vector does; otherwise this one.
     bool is_parted_by_closest() const {
         const Point way = between(closest_features(bodies));
         Point back = way;

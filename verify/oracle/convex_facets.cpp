@@ -28,7 +28,7 @@ ConvexBody<N> body_of(const ConvexFeatures& features, const std::vector<Vector<N
     return body;
 }
 
-// Whether the face's corners are clockwise, seen from outside: some vertex is above it. Of a polygon they are not.
+// Returns true if the face's corners are clockwise, seen from outside: some vertex is above it. A polygon's are not.
 bool is_turned_in(const ConvexBody<mpz_class>& body, const ConvexBody<mpz_class>::Face& face) {
     for (const Point& p : body.vertices) {
         const int sign = sgn(dot(face.normal, Point(p - face.corners[0])));

@@ -147,11 +147,7 @@ std::vector<std::uint32_t> cycle(std::vector<std::array<std::uint32_t, 2>> sides
     return corners;
 }
 
-}  // namespace
-
-namespace {
-
-// Whether the way from p to q is a side of the polygon: everything is left of it, around the normal, or on it.
+// Returns true if the way from p to q is a side of the polygon: everything is left of it, around the normal, or on it.
 bool is_side(const PointSet& set, std::uint32_t p, std::uint32_t q, const Point& normal) {
     if (p == q) return false;
     const Point way = set.points[q] - set.points[p];
@@ -176,7 +172,7 @@ NamedFeature side_on_line(const PointSet& set, std::uint32_t a, std::uint32_t b)
     throw std::logic_error("an edge of a flat set without a side of a triangle");
 }
 
-// Of a mesh that covers a polygon, a segment or a point. The polygon goes around as its first triangle.
+// Returns the features of a polygon, a segment or a point. The polygon goes around as its first triangle.
 ConvexFeatures flat_features(const PointSet& set) {
     ConvexFeatures features;
     std::map<std::uint32_t, std::uint32_t> next;  // by point: the other end of a side

@@ -34,8 +34,8 @@ struct ConvexFeatures {
     const NamedFeature& name_of(const std::vector<std::uint32_t>& corners) const;
 };
 
-// Of a mesh that bounds a solid, or covers a polygon, a segment or a point; nothing if it is not convex, or empty. The
-// polygon has one face, around which its corners go as those of its first triangle.
+// Returns the features of a mesh that bounds a solid, or covers a polygon, a segment or a point; nothing if it is not
+// convex, or empty. The polygon has one face, around which its corners go as those of its first triangle.
 std::optional<ConvexFeatures> convex_features(const Mesh& mesh);
 
 // Whether the edge from a corner of a triangle to the next one is also one of a triangle whose third corner is at the

@@ -22,7 +22,7 @@ mpq_class turn(const Flat& a, const Flat& b, const Flat& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Whether x is between a and b, or at one of them.
+// Returns true if x is between a and b, or at one of them.
 bool is_between(const Flat& x, const Flat& a, const Flat& b) {
     if (sgn(turn(a, b, x)) != 0) return false;
     return sgn((x[0] - a[0]) * (x[0] - b[0]) + (x[1] - a[1]) * (x[1] - b[1])) <= 0;
@@ -55,7 +55,7 @@ bool is_inside(const Flat& x, const std::vector<Flat>& hull) {
     return true;
 }
 
-// Where the segments from a to b and from c to d cross in one point.
+// Returns where the segments from a to b and from c to d cross, if they cross in one point.
 std::optional<Flat> crossing(const Flat& a, const Flat& b, const Flat& c, const Flat& d) {
     const mpq_class at_c = turn(a, b, c), at_d = turn(a, b, d);
     if (sgn(at_c) * sgn(at_d) >= 0 || sgn(turn(c, d, a)) * sgn(turn(c, d, b)) > 0) return std::nullopt;
@@ -77,7 +77,7 @@ Point in_fractions(const Vector<mpz_class>& v, long unit) {
     return result;
 }
 
-// What a body shows along a vector: the vertices of a feature, in space and in the plane.
+// Shown is what a body shows along a vector: the vertices of a feature, in space and in the plane.
 struct Shown {
     std::vector<std::uint32_t> vertices;  // ascending
     std::vector<Point> points;

@@ -57,7 +57,7 @@ const PairCall questions[] = {
      }},
 };
 
-// Of all allocations, every so manieth fails: some 200 in each trial.
+// Returns how many allocations lie between two that fail, so that some 200 do in each trial.
 std::uint64_t stride_of(const Trial<Pair>& trial) {
     Pair pair = trial.make();
     const CountedAllocations counted;

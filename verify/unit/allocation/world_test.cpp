@@ -252,7 +252,7 @@ class WorldOutOfMemory : public testing::TestWithParam<BroadPhaseKind> {
                 .go_on = [](Scene& scene) { scene.go_on(); }};
     }
 
-    // Of the allocations of each call, every `stride`-th fails.
+    // Lets every `stride`-th allocation of each call fail.
     void expect_no_change(const std::vector<Stage>& at_stages, std::uint64_t stride = 1) const {
         std::uint64_t allocations = 0;
         for (const WorldCall& call : calls) {

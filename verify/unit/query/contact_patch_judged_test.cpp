@@ -36,7 +36,7 @@ struct Pair {
     Pair turned() const { return {{solids[1], solids[0]}, {poses[1], poses[0]}}; }
 };
 
-// What a patch must be, for bodies with radii and some limits.
+// Expected says what a patch must be, for bodies with radii and some limits.
 class Expected {
   public:
     explicit Expected(const Pair& pair) : pair_(pair) {

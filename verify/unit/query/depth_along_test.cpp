@@ -72,7 +72,7 @@ TEST(DepthAlong, RefusesBadArguments) {
     EXPECT_THROW(std::ignore = depth_points({unit_box(), Pose()}, {unit_box(), flat}), SingularPose);
 }
 
-// Of the facets that the line meets, the one that it meets first; all, where the origin is on the border.
+// Truth has where the line meets its first facet, and the normal; several may tie where the origin is on the border.
 struct Truth {
     mpq_class parameter;
     Vec3 normal;
