@@ -57,15 +57,16 @@ ecods_long("the oracle beside models of its own" oracle_test.*)
 ecods_long("CGAL's own side of a mesh, which takes long to compile" side_of_mesh_tests.*)
 ecods_long("every pair of triangles of a lattice; no planted fault is seen by it alone" exhaustive_tests.*)
 ecods_long("the checkers of certificates, which share nothing with the library, asked about many that are spoilt"
-           certificates.tampered certificates.false_claims certificates.malformed certificates.python_cases)
-ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz.more_distances fuzz.more_solids
-           fuzz_tests.FuzzProgramTest.JobsDoNotMatter)
+           certificates.costly certificates.tampered certificates.false_claims certificates.malformed certificates.python_cases)
+ecods_long("many runs of what other tests run a few times" fuzz.motion fuzz.more_convex fuzz.more_distances
+           fuzz.more_pairs fuzz.more_solids fuzz.kinds fuzz.solids_of_rounded_points
+           fuzz_tests.FuzzProgramTest.JobsDoNotMatter solid_families_tests.SolidFamilies.AsTheOracle)
+ecods_long("the scripts that plant faults, which only those need who plant them" fuzz.mutants_tools)
 ecods_long("eleven programs to build, whose corpora ask the library what other tests ask" fuzz.corpus.*
            instruction_sets.unknown.fuzz_triangles output.fuzz_predicates.*)
-ecods_long("each allocation of each call fails in turn; verify/run has that for one broad phase"
-           allocation_tests.QueryOutOfMemory.EveryQuestion* allocation_tests.BroadPhases/WorldOutOfMemory.*/1
-           allocation_tests.BroadPhases/WorldOutOfMemory.EveryCallAtOtherStagesThenChangesNothing/0
-           allocation_tests.BroadPhases/WorldOutOfMemory.*/2 allocation_tests.BroadPhases/WorldOutOfMemory.*/3
+ecods_long("each allocation of each call fails in turn; verify/run has that for an update with one broad phase"
+           allocation_tests.QueryOutOfMemory.EveryQuestion* allocation_tests.BroadPhases/WorldOutOfMemory.*
+           allocation_tests.BroadPhases/UpdateOutOfMemory.*/1 allocation_tests.BroadPhases/UpdateOutOfMemory.*/2
            allocation_tests.BroadPhases/UpdateOutOfMemory.*/3 allocation_tests.BroadPhases/UpdateOutOfMemory.*/4
            allocation_tests.BroadPhases/UpdateOutOfMemory.*/5
            allocation_tests.BroadPhases/UpdateOutOfMemory.*/6 allocation_tests.BroadPhases/UpdateOutOfMemory.*/7)

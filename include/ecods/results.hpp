@@ -301,7 +301,7 @@ struct PairRelation {
     friend bool operator==(const PairRelation&, const PairRelation&) = default;
 };
 
-// Two convex solid bodies that share a point, and the shortest translation of `bodies.b` that parts them. Cost: as of
+// Two convex bodies that share a point, and the shortest translation of `bodies.b` that parts them. Cost: as of
 // closest_pairs, and a depth() for each pair.
 struct BodyDepth {
     BodyPair bodies;
@@ -327,7 +327,7 @@ struct BodyAt {
 };
 struct BodiesContaining {
     std::vector<BodyAt> bodies;     // ascending
-    std::size_t skipped_count = 0;  // bodies that are no Solids, so not asked: rounded ones and half spaces, too
+    std::size_t skipped_count = 0;  // bodies that were not asked: surfaces, half spaces, the caller's own
 };
 
 // ---- names

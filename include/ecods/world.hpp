@@ -221,8 +221,8 @@ class ECODS_API World {
     // two-body test for each box that overlaps. (Parry: intersections_with_shape; Box3D: overlap queries.)
     [[nodiscard]] std::vector<BodyId> intersecting_bodies(const Asked& subject, const Ask& ask = {}) const;
 
-    // Returns the bodies with a Solid that contains the point, inside or on its surface. Rounded bodies and half spaces
-    // are not asked. Exact. Cost: that of BroadPhase::find, and a locate() for each box that contains the point.
+    // Returns the solids and rounded bodies that contain the point, inside or on their surfaces. Other bodies are not
+    // asked. Exact. Cost: that of BroadPhase::find, and a locate() for each box that contains the point.
     [[nodiscard]] BodiesContaining bodies_containing(const Vec3& point, const Ask& ask = {}) const;
 
     // Returns the body nearest to the subject; nullopt if there is none within max_distance. NearestBody says which one
@@ -257,9 +257,10 @@ class ECODS_API World {
     // the bodies are now. Throws, and runs the work, as closest_pairs() does.
     [[nodiscard]] std::vector<PairDistance> signed_distances(double max_distance, const Ask& ask = {}) const;
 
-    // Returns the pairs of ConvexSolids that share a point, each with its Depth; ascending. Rounded bodies are left
-    // out. Minus the depth of a pair is its number in signed_distances(0). Throws SingularPose if any ConvexSolid in
-    // the world has a singular pose; ExecutorFailed. Runs the work as closest_pairs() does.
+    // Returns the pairs of convex bodies (ConvexSolids, rounded bodies of the kind rounded_convex()) that share a
+    // point, each with the Depth that depth() has; ascending. Minus the depth of a pair is its number in
+    // signed_distances(0). Throws SingularPose if any ConvexSolid in the world has a singular pose, or depth() of a
+    // pair throws it; ExecutorFailed. Runs the work as closest_pairs() does.
     [[nodiscard]] std::vector<BodyDepth> depths(const Ask& ask = {}) const;
 
     // Returns the contact patches of those colliding_pairs() that contact_patch() takes, in the order of that list, the

@@ -177,10 +177,6 @@ std::optional<ShapeKind> Bodies::kind_without_hits() const noexcept {
 }
 
 bool Bodies::has_pair_of(ShapeKind a, ShapeKind b) const {
-    const auto count_of = [&](ShapeKind kind) {
-        const auto found = kind_counts_.find(kind);
-        return found == kind_counts_.end() ? std::size_t{0} : found->second;
-    };
     return a == b ? count_of(a) > 1 : count_of(a) > 0 && count_of(b) > 0;
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "ecods/rounded.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "ecods/world.hpp"
@@ -18,6 +19,11 @@
 #include "world/disabled_pairs.hpp"
 
 namespace ecods {
+
+// True if a shape of this kind is a Rounded: World takes no other one (require_own_kind).
+constexpr bool is_rounded(ShapeKind kind) noexcept {
+    return kind == ShapeKind::rounded() || kind == ShapeKind::rounded_convex();
+}
 
 // A slot holds one body at a time, or is free. The index of a slot is the proxy of its body in the broad phase;
 // BodyId::slot is that index plus one.
@@ -38,12 +44,15 @@ struct Slot {
     Posed<Shape> posed() const noexcept { return {*shape, pose}; }
     void put(std::shared_ptr<const Shape> new_shape) noexcept;
 
-    // Return the shape as a Solid and as a ConvexSolid; null if the shape is no Solid, or no ConvexSolid.
+    // Return the shape as a Solid, as a ConvexSolid and as a Rounded; null if the shape is none.
     const Solid* solid() const noexcept {
         return form != MeshForm::surface ? static_cast<const Solid*>(shape.get()) : nullptr;
     }
     const ConvexSolid* convex() const noexcept {
         return form == MeshForm::convex ? static_cast<const ConvexSolid*>(shape.get()) : nullptr;
+    }
+    const Rounded* rounded() const noexcept {
+        return is_alive() && is_rounded(kind) ? static_cast<const Rounded*>(shape.get()) : nullptr;
     }
 };
 
@@ -109,6 +118,11 @@ class Bodies {
 
     std::size_t solid_count() const noexcept { return solid_count_; }  // living bodies that are solids
 
+    // Returns the number of living bodies of a kind.
+    std::size_t count_of(ShapeKind kind) const {
+        const auto found = kind_counts_.find(kind);
+        return found == kind_counts_.end() ? 0 : found->second;
+    }
     // Returns the number of living bodies by kind. A kind without living bodies may be listed, with 0.
     const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
 

@@ -2,6 +2,7 @@
 
 #include "ecods/rounded.hpp"
 #include "query/body/rounded_pair.hpp"
+#include "world/bodies.hpp"
 
 namespace ecods {
 namespace {
@@ -60,7 +61,7 @@ class RoundedTest final : public TwoBodyTest {
 std::optional<CoreAndRadius> core_and_radius(const Posed<Shape>& posed) {
     const ShapeKind kind = posed.what->kind();
     if (kind == ShapeKind::mesh()) return Posed<MeshShape>(static_cast<const MeshShape&>(*posed.what), posed.pose);
-    if (kind != ShapeKind::rounded() && kind != ShapeKind::rounded_convex()) return std::nullopt;
+    if (!is_rounded(kind)) return std::nullopt;
     return Posed<Rounded>(static_cast<const Rounded&>(*posed.what), posed.pose);
 }
 

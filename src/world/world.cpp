@@ -45,9 +45,8 @@ void require_own_kind(const Shape& shape) {
     if (shape.kind() == ShapeKind::mesh() && dynamic_cast<const MeshShape*>(&shape) == nullptr) {
         throw NotSupported("shape kind 0 is taken by MeshShape; a shape of one's own needs another kind");
     }
-    const bool is_rounded = shape.kind() == ShapeKind::rounded() || shape.kind() == ShapeKind::rounded_convex();
     const bool is_half_space = shape.kind() == ShapeKind::half_space();
-    if ((is_rounded && dynamic_cast<const Rounded*>(&shape) == nullptr) ||
+    if ((is_rounded(shape.kind()) && dynamic_cast<const Rounded*>(&shape) == nullptr) ||
         (is_half_space && dynamic_cast<const HalfSpace*>(&shape) == nullptr)) {
         throw NotSupported(
             "the three greatest shape kinds are taken by Rounded and HalfSpace; a shape of one's own needs another "

@@ -43,10 +43,12 @@ auto World::Impl::near_pairs(double limit, Kinds kinds) const -> NearPairs {
         prefetch_after(bodies, proxy);
         const Slot& slot = bodies[proxy];
         const bool is_convex = slot.convex() != nullptr && convex::is_regular(slot.pose);
-        if (kinds == Kinds::convex && slot.convex() != nullptr && !is_convex) {
+        if (kinds != Kinds::all && slot.convex() != nullptr && !is_convex) {
             throw SingularPose(0, bodies.id_of(proxy));
         }
-        if (!is_convex && (kinds == Kinds::convex || !slot.is_alive())) continue;
+        const bool is_chosen = is_convex || (kinds == Kinds::all && slot.is_alive()) ||
+                               (kinds == Kinds::convex && slot.is_alive() && slot.kind == ShapeKind::rounded_convex());
+        if (!is_chosen) continue;
         chosen.push_back(proxy);
         boxes.push_back(enlarged(broad_phase.box(proxy), limit));
         if (is_convex) near.solids[proxy] = convex::SolidInMemory(*slot.convex());
@@ -88,8 +90,11 @@ std::vector<Answer> World::Impl::ask_pairs(const NearPairs& near, const Ask& ask
 
 std::vector<BodyDepth> World::depths(const Ask& ask) const {
     const Impl& w = impl();
-    auto found = w.ask_pairs<BodyDepth>(
-        w.near_pairs(0, Impl::Kinds::convex), ask, [&](const ProxyPair& pair, QueryMemory& memory) {
+    const Impl::NearPairs near = w.near_pairs(0, Impl::Kinds::convex);
+    auto found =
+        w.ask_pairs<BodyDepth>(near, ask, [&](const ProxyPair& pair, QueryMemory& memory) -> std::optional<Depth> {
+            const BodyPair ids = w.bodies.ids_of(pair);
+            if (!near.are_convex(pair)) return depth(ids.a, ids.b, memory);
             const Posed<ConvexSolid> a = w.bodies.convex_at(pair.a), b = w.bodies.convex_at(pair.b);
             return convex::do_meet(a, b, memory) ? ecods::depth(a, b, memory) : std::nullopt;
         });
@@ -122,11 +127,12 @@ std::vector<PairDistance> World::signed_distances(double max_distance, const Ask
 std::vector<PairDistance> WorldAccess::unsigned_distances(const World& world, double max_distance) {
     const World::Impl& w = world.impl();
     require_distance(max_distance);
-    return w.ask_pairs<PairDistance>(
-        w.near_pairs(max_distance, World::Impl::Kinds::convex), {}, [&](const ProxyPair& pair, QueryMemory& memory) {
-            return convex::distance_within(w.bodies.convex_at(pair.a), w.bodies.convex_at(pair.b), max_distance,
-                                           memory);
-        });
+    return w.ask_pairs<PairDistance>(w.near_pairs(max_distance, World::Impl::Kinds::convex_solids), {},
+                                     [&](const ProxyPair& pair, QueryMemory& memory) {
+                                         return convex::distance_within(w.bodies.convex_at(pair.a),
+                                                                        w.bodies.convex_at(pair.b), max_distance,
+                                                                        memory);
+                                     });
 }
 
 }  // namespace ecods

@@ -88,8 +88,9 @@ struct World::Impl {
             return solids[pair.a].parts != nullptr && solids[pair.b].parts != nullptr;
         }
     };
-    // Returns the pairs of convex solids (throws SingularPose), or of all kinds.
-    enum class Kinds : std::uint8_t { convex, all };
+    // Returns the pairs of convex solids, of these and convex rounded bodies, or of all kinds. The first two throw
+    // SingularPose for any convex solid.
+    enum class Kinds : std::uint8_t { convex_solids, convex, all };
     NearPairs near_pairs(double limit, Kinds kinds) const;
     // Calls find(pair, memory) for each pair, even if a call throws. `find` returns the second member of the pair's
     // Answer, or nullopt for no answer. Returns the answers, ascending by pair.

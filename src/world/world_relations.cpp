@@ -54,12 +54,16 @@ BodiesContaining World::bodies_containing(const Vec3& point, const Ask& ask) con
     require_valid(point);
     Asking asking(ask);
     BodiesContaining result;
-    result.skipped_count = w.bodies.alive_count() - w.bodies.solid_count();
+    result.skipped_count = w.bodies.alive_count() - w.bodies.solid_count() - w.bodies.count_of(ShapeKind::rounded()) -
+                           w.bodies.count_of(ShapeKind::rounded_convex());
     for (const ProxyIndex proxy : w.broad_phase.find(Aabb{point, point})) {
         const Slot& slot = w.bodies[proxy];
-        const Solid* const solid = slot.solid();
-        if (solid == nullptr) continue;
-        const Side side = locate(point, {*solid, slot.pose}, asking.memory()).side;
+        Side side = Side::outside;
+        if (const Solid* const solid = slot.solid()) {
+            side = locate(point, {*solid, slot.pose}, asking.memory()).side;
+        } else if (const Rounded* const rounded = slot.rounded()) {
+            side = locate(point, Posed<Rounded>(*rounded, slot.pose), asking.memory()).side;
+        }
         if (side != Side::outside) result.bodies.push_back({w.bodies.id_of(proxy), side});
     }
     return w.traced<calls::BodiesAtPoint>(ask, std::move(result), point);

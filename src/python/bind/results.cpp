@@ -166,7 +166,7 @@ void add_world_answers(py::module_& m) {
     add_record(m, "BodiesContaining", "The solids of a world that a point is in, or on.",
                Field{"bodies", &BodiesContaining::bodies, "Ascending."},
                Field{"skipped_count", &BodiesContaining::skipped_count,
-                     "Number of bodies that are no solids, and were skipped."});
+                     "Number of bodies that were not asked: surfaces, half spaces, shapes of one's own."});
 }
 
 }  // namespace

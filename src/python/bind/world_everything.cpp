@@ -27,7 +27,7 @@ void add_finding(WorldClass& type, const py::arg& what, const py::arg_v& filter)
         "the bodies that it may meet. If the question is about a body, bodies with which it is filtered out do not "
         "count. Both hold for nearest() and cast(), too.");
     type.def("bodies_containing", asked_of_world<Vec3>(ECODS_CALL(bodies_containing)), py::arg("point"),
-             "BodiesContaining: the Solids with the point (3,) in them or on them; not Rounded bodies. Raises "
+             "BodiesContaining: the Solids and Rounded bodies with the point (3,) in them or on them. Raises "
              "InvalidArgument.");
 }
 
@@ -51,7 +51,7 @@ void add_nearest(WorldClass& type, const py::arg& what, const py::arg_v& filter)
              py::arg("max_distance"), groups_a, groups_b,
              "All pairs that closest_pair() chooses from: a list of ClosestPair, by distance, then by ids.");
     type.def("depths", asked_of_world<>(ECODS_CALL(depths)),
-             "Pairs of ConvexSolids that share a point: a list of BodyDepth. Raises SingularPose.");
+             "Pairs of convex bodies, rounded ones too, that share a point: a list of BodyDepth. Raises SingularPose.");
     type.def("signed_distances", asked_of_world<double>(ECODS_CALL(signed_distances)), py::arg("max_distance"),
              "The pairs of closest_pairs() without their points: a list of PairDistance, by ids.");
     const LimitArguments limits;

@@ -9,7 +9,7 @@ namespace ecods {
 namespace {
 
 TEST(SolidDistanceFamilies, AsTheOracle) {
-    expect_all_right_everywhere(scenes::convex_families(), 7, 25);
+    expect_all_right_everywhere(scenes::convex_families(), 7, 8);
 }
 
 // A vertex beside, over or beyond the end of an edge or the side of a face, as the rounding of a pose has it.

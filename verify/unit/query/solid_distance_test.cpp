@@ -248,7 +248,7 @@ TEST(SolidDistance, TheSameInEveryEnvironment) {
     QueryMemory memory;
     const ConvexSolid a = hull_of(random, 30), b = hull_of(random, 30), c(box({-1, -1, -1}, {1, 1, 1}, 2));
     for (const int exponent : {0, -1040, -600, 700}) {
-        for (int i = 0; i < 12; ++i) {
+        for (int i = 0; i < 6; ++i) {
             Pose p, q;
             p.R = random.rotation().toRotationMatrix() * std::ldexp(1.0, exponent);
             q.R = i % 4 == 0 ? p.R : Mat3(random.rotation().toRotationMatrix() * std::ldexp(1.0, exponent));

@@ -174,6 +174,45 @@ class RoundedWorld : public testing::TestWithParam<BroadPhaseKind> {
         EXPECT_EQ(world.nearest(body.id), nearest);
     }
 
+    // Convex bodies with an inside that meet, as two by two.
+    void expect_depths() {
+        std::vector<BodyDepth> expected;
+        const auto is_listed = [](const Body& body) {
+            return body.shape->kind() == ShapeKind::rounded_convex() || (body.is_convex() && body.is_solid());
+        };
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+                if (!is_listed(bodies[i]) || !is_listed(bodies[j])) continue;
+                const auto [a, b] = std::minmax({bodies[i].id, bodies[j].id});
+                if (const std::optional<Depth> depth = world.depth(a, b)) expected.push_back({{a, b}, *depth});
+            }
+        }
+        std::ranges::sort(expected, {}, &BodyDepth::bodies);
+        EXPECT_EQ(world.depths(), expected);
+        depth_count += expected.size();
+    }
+    void expect_bodies_at(const Vec3& at) {
+        std::vector<BodyAt> expected;
+        std::size_t skipped = 0;
+        for (const Body& body : bodies) {
+            Side side = Side::outside;
+            if (body.is_rounded()) {
+                side = locate(at, Posed<Rounded>(dynamic_cast<const Rounded&>(*body.shape), body.pose)).side;
+            } else if (body.is_solid()) {
+                side = locate(at, {dynamic_cast<const Solid&>(*body.shape), body.pose}).side;
+            } else {
+                ++skipped;
+            }
+            if (side != Side::outside) expected.push_back({body.id, side});
+        }
+        std::ranges::sort(expected, {}, &BodyAt::body);
+        const BodiesContaining got = world.bodies_containing(at);
+        EXPECT_EQ(got.bodies, expected);
+        EXPECT_EQ(got.skipped_count, skipped);
+        containing_count += expected.size();
+    }
+
+    std::size_t depth_count = 0, containing_count = 0;
     double spread = 4;
     scenes::Random random{7};
     World world{WorldOptions{GetParam()}};
@@ -230,9 +269,14 @@ TEST_P(RoundedWorld, RelationsOfConvexBodies) {
             seen.insert(pair.relation);
             EXPECT_EQ(pair.relation, world.relation(pair.bodies.a, pair.bodies.b));
         }
+        expect_depths();
+        expect_bodies_at(point(1));
+        expect_bodies_at(bodies[0].pose.t);
         world.check_invariants();
     }
     EXPECT_GE(seen.size(), 5U);
+    EXPECT_GT(depth_count, 50U);
+    EXPECT_GT(containing_count, 20U);
     // One of which it is not decided what it contains is refused, and changes nothing.
     const ShapePtr general = rounded(std::make_shared<const MeshShape>(scenes::cube(1)), 0.5);
     const std::uint64_t digest = world.digest();
@@ -263,7 +307,8 @@ TEST_P(RoundedWorld, WhatIsNotDecidedIsRefusedByName) {
     EXPECT_THROW((void)world.depth(ball, cube), NotSupported);
     EXPECT_EQ(world.closest(ball, cube).point_a, Vec3(1, 0, 0));
     EXPECT_EQ(world.closest(cube, ball).point_b, Vec3(1, 0, 0)) << "of the cube, then of the ball";
-    EXPECT_EQ(world.bodies_containing(Vec3(0, 0, 0)).skipped_count, 2U);
+    EXPECT_EQ(world.bodies_containing(Vec3(0, 0, 0)).bodies, (std::vector<BodyAt>{{ball, Side::inside}}));
+    EXPECT_EQ(world.bodies_containing(Vec3(0, 0, 0)).skipped_count, 1U);
 }
 
 // Whatever kinds they are of.
