@@ -10,6 +10,7 @@
 
 #include "ecods/cast.hpp"
 #include "ecods/hit.hpp"
+#include "ecods/rounded.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/base/user_shape.hpp"
 #include "fuzz/checks/text.hpp"
@@ -29,6 +30,27 @@ constexpr double moderate_min = 0x1p-64, moderate_max = 0x1p64;
 Posed<MeshShape> mesh_at(const Shape& shape, const Pose& pose) {
     const auto* user = dynamic_cast<const UserShape*>(&shape);
     return {user != nullptr ? user->as_mesh_shape() : dynamic_cast<const MeshShape&>(shape), pose};
+}
+
+template <class Line>
+std::vector<Hit> hits_of(const Line& line, const Shape& shape, const Pose& pose, QueryMemory& memory) {
+    if (const auto* rounded = dynamic_cast<const Rounded*>(&shape)) return rounded->all_hits(line, pose, memory);
+    return all_hits(line, mesh_at(shape, pose), memory);
+}
+
+// Returns the first contact of two bodies of a world, of which the first is translated.
+std::optional<FirstContact> cast_of(const World& world, BodyId a, const Vec3& motion, BodyId b, QueryMemory& memory) {
+    const auto first = world.shape(a), second = world.shape(b);
+    const auto* const round_a = dynamic_cast<const Rounded*>(first.get());
+    const auto* const round_b = dynamic_cast<const Rounded*>(second.get());
+    const Pose at_a = world.pose(a), at_b = world.pose(b);
+    if (round_a == nullptr && round_b == nullptr) {
+        return cast(mesh_at(*first, at_a), motion, mesh_at(*second, at_b), 1, memory);
+    }
+    if (round_a == nullptr) return cast(mesh_at(*first, at_a), motion, Posed<Rounded>(*round_b, at_b), 1, memory);
+    const Posed<Rounded> moved(*round_a, at_a);
+    if (round_b == nullptr) return cast(moved, motion, mesh_at(*second, at_b), 1, memory);
+    return cast(moved, motion, Posed<Rounded>(*round_b, at_b), 1, memory);
 }
 
 // A point that bodies are near: a corner of a mesh at its pose, or of a box. Points that are no doubles are left out.
@@ -101,8 +123,12 @@ void check_line(std::span<World* const> worlds, const Line& line, const std::opt
     for (const BodyId body : first.bodies()) {
         if (filter && !ecods::may_meet(*filter, first.filter(body))) continue;
         const auto shape = first.shape(body);
-        for (const Hit& hit : all_hits(line, mesh_at(*shape, first.pose(body)), memory))
-            expected.push_back({body, hit});
+        try {
+            for (const Hit& hit : hits_of(line, *shape, first.pose(body), memory)) expected.push_back({body, hit});
+        } catch (const NotSupported&) {  // of a radius that is tiny beside its core (rounded.hpp)
+            ++counters["lines at rounded bodies that are not decided"];
+            return;
+        }
     }
     const auto by_fields = [](const BodyHit& a, const BodyHit& b) { return fields(a) < fields(b); };
     std::ranges::sort(expected, by_fields);
@@ -142,6 +168,10 @@ void check_hits(std::span<World* const> worlds, std::uint32_t seed, Counters& co
     if (!ray.direction.allFinite() || ray.direction.isZero(0)) ray.direction = Vec3::UnitX();
     if (random.below(2) == 0) ray.max_parameter = random.below(2) == 0 ? 1 : random.uniform(0, 2);
     check_line(worlds, ray, {}, counters);
+    const auto is_rounded = [&](BodyId body) {
+        return dynamic_cast<const Rounded*>(first.shape(body).get()) != nullptr;
+    };
+    if (std::ranges::any_of(bodies, is_rounded)) return;  // the order is that of meshes
     const World& one = *worlds[seed % worlds.size()];
     seed % 2 == 0 ? check_hit_order(one, segment, counters) : check_hit_order(one, ray, counters);
 }
@@ -159,9 +189,7 @@ void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& c
     const auto own_shape = first.shape(own);
     for (const BodyId body : bodies) {
         if (body == own || !may_meet(first, own, body)) continue;
-        const auto shape = first.shape(body);
-        const auto contact =
-            cast(mesh_at(*own_shape, first.pose(own)), motion, mesh_at(*shape, first.pose(body)), 1, memory);
+        const auto contact = cast_of(first, own, motion, body, memory);
         if (contact && (!expected || contact->time < expected->contact.time)) expected = BodyContact{body, *contact};
     }
     // Where kinds differ, a test may have the features' order of its own; the times are the same.

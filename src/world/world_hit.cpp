@@ -59,7 +59,7 @@ std::optional<BodyHit> find_first(const SegmentOrRay& asked, const Targets& targ
             } else {
                 first.ask(body->boundary(), proxy);
             }
-        } else if (const auto hit = slot.shape->first_hit(asked, slot.pose, memory)) {
+        } else if (const auto hit = first.beside([&] { return slot.shape->first_hit(asked, slot.pose, memory); })) {
             first.offer(*hit, proxy);
         }
         return first.limit();

@@ -319,6 +319,14 @@ void FirstHit::offer(const Hit& hit, std::uint64_t key) {
     is_rounded_ = true;
 }
 
+FirstHit::Kept FirstHit::keep() const {
+    return found_ ? std::make_shared<const exact::LineHit>(*memory_.best) : nullptr;
+}
+
+void FirstHit::put_back(const Kept& least) noexcept {
+    if (least) *memory_.best = *least;
+}
+
 KeyedHit FirstHit::get() const {
     KeyedHit result = least_;
     if (!is_rounded_) result.hit = rounded(line_, *memory_.best, least_.hit.feature.triangle);

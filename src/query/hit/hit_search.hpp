@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ecods/hit.hpp"
+#include "exact/measure/line/line_hit.hpp"
 #include "exact/measure/round/fraction.hpp"
 #include "geometry/line.hpp"
 #include "geometry/scaled_line.hpp"
@@ -47,6 +48,15 @@ class FirstHit {
     // Offers a hit that the caller found in another way. Its real parameter must be exactly `hit.parameter`.
     void offer(const Hit& hit, std::uint64_t key);
 
+    // Calls ask(), a search of its own in the same memory, which may overwrite the least hit there; returns its result.
+    template <class Function>
+    auto beside(const Function& ask) {
+        const Kept least = keep();
+        auto result = ask();
+        put_back(least);
+        return result;
+    }
+
     // Returns an upper bound of the parameter of the least hit; infinity if nothing is known. The caller need not ask
     // bodies whose boxes the line meets only beyond this parameter.
     double limit() const noexcept { return scaled_.unscaled_above(limit_); }
@@ -56,6 +66,10 @@ class FirstHit {
     KeyedHit get() const;
 
   private:
+    using Kept = std::shared_ptr<const exact::LineHit>;  // null if nothing was found
+    Kept keep() const;
+    void put_back(const Kept& least) noexcept;
+
     template <class Search>
     void take(Search& search, std::uint64_t key, PairWitness& witness);
     bool is_before_least(const exact::Fraction& at, std::uint64_t key, std::uint32_t triangle) const noexcept;

@@ -154,5 +154,21 @@ TEST(Trace, ManyMeshesComeAndGo) {
     EXPECT_EQ(report.update_count, 300u);
 }
 
+TEST(TraceOfRounded, BadLinesAreRefused) {
+    const auto replay_of = [](const std::string& line) {
+        std::istringstream in("ecods-trace 2\nworld sweep_and_prune 0\nmesh 1 1 1\nv 0x0p+0 0x0p+0 0x0p+0\nt 0 0 0\n" +
+                              line);
+        return replay(in).body_count;
+    };
+    const std::string create =
+        "\ncreate 1.0 2 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0\n";
+    EXPECT_EQ(replay_of("rounded 2 1 0x1p-1" + create), 1U);
+    for (const char* const line :
+         {"rounded 2 1 -0x1p-1", "rounded 2 1 inf", "rounded 2 1 nan", "rounded 2 3 0x1p-1", "rounded 1 1 0x1p-1",
+          "rounded 2 1", "rounded 2 1 0x1p-1 7", "rounded 2 1 0x1p-1\nrounded 3 2 0x1p-1"}) {
+        EXPECT_THROW(replay_of(std::string(line) + create), InvalidTrace) << line;
+    }
+}
+
 }  // namespace
 }  // namespace ecods::trace_shapes_test

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "ecods/error.hpp"
+#include "ecods/rounded.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/slab_shapes.hpp"
@@ -251,6 +252,17 @@ TEST_P(WorldHitShapesTest, WhatIsNotAnsweredIsRefusedBeforeAnyBodyIsAsked) {
             std::ignore = world.cast({scenes::cube(1), at(-9)}, Vec3(1, 0, 0));
         },
         Question::cast, slab_kind, ShapeKind::mesh());
+}
+
+// A shape may ask the library in the memory that it is given, as a rounded one does: the first hit so far is kept.
+TEST_P(WorldHitShapesTest, ShapesThatAskInTheSameMemory) {
+    const auto plate = scenes::one_triangle({Vec3(0, -9, -9), Vec3(10, 9, -9), Vec3(10, 9, 20)});
+    world.create_body(plate, Pose());  // its box is met before that of the next body, its triangle after it
+    const BodyId near = world.create_body(rounded(std::make_shared<const MeshShape>(cube), 0), at(2));
+    const auto hit = world.first_hit(Ray{Vec3(-5, 0, 0), Vec3(1, 0, 0)});  // at a diagonal of a side
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->body, near);
+    EXPECT_EQ(hit->hit.parameter, 6.5);
 }
 
 }  // namespace
