@@ -95,9 +95,8 @@ struct ContactPatch {
 //
 // Starts from a witness, and leaves one, except with a half space. Throws NotSupported for other shapes, and for two
 // half spaces; SingularPose; InvalidArgument for limits that are not allowed. Cost: that of distance() or depth(), and
-// some microseconds for each corner; some tens of microseconds where tilted features replace others. Where max_corners
-// leaves corners out of a patch of many crossing edges at turned poses, numbers are long: seconds for 64 of them.
-// (Coal: computeContactPatch.)
+// some microseconds for each corner; some tens of microseconds where tilted features replace others. To leave corners
+// out by max_corners takes some microseconds for each pair of corners. (Coal: computeContactPatch.)
 [[nodiscard]] ECODS_API ContactPatch contact_patch(const Posed<Shape>& a, const Posed<Shape>& b,
                                                    const PatchLimits& limits = {}, const Ask& ask = {});
 

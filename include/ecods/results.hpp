@@ -261,7 +261,8 @@ struct ClosestPair {
 };
 
 // A hit and its body. `hit.rank` counts the smaller parameters of all bodies that were asked. Hits are ordered by real
-// parameter, then by id, then by triangle. The parameters that a caller's own shape returns are taken as exact.
+// parameter, then by id, then by triangle. The parameters that a rounded body or a caller's own shape returns are taken
+// as exact; its hits with the same parameter stay in its order.
 //
 // Cost: that of BroadPhase::visit_along, and a question to each body whose box the line meets before the first hit.
 struct BodyHit {

@@ -36,9 +36,10 @@ class ECODS_API Shape {
     virtual std::uint64_t digest() const noexcept = 0;
 
     // Optional: the hits of a segment or ray with the shape. A shape for which answers(Question::hits) is true
-    // overrides both forms of all_hits. These return hits ascending by parameter, then by triangle; `rank` is ignored.
-    // first_hit returns the first of them; the default takes it from all_hits. For other shapes all four throw
-    // NotSupported, and so does a World that is asked for hits, before it asks any body.
+    // overrides both forms of all_hits. These return hits ascending by parameter; a World keeps the order of those with
+    // the same parameter (of a mesh, it is that of triangles), and ignores `rank`. first_hit returns the first of them;
+    // the default takes it from all_hits. For other shapes all four throw NotSupported, and so does a World that is
+    // asked for hits, before it asks any body.
     virtual bool answers(Question question) const noexcept;  // the default answers none
     virtual std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const;
     virtual std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const;

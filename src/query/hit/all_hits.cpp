@@ -9,9 +9,11 @@
 namespace ecods {
 
 struct AllHits::State {
-    // Holds a hit, and where `limbs` has its exact parameter: from `begin` on, the numerator and then the denominator.
+    // Holds a hit, its place among those of its body with the same parameter, and where `limbs` has its exact
+    // parameter: from `begin` on, the numerator and then the denominator.
     struct Item {
         KeyedHit hit;
+        std::size_t place;
         std::size_t begin, num_size, den_size;
     };
 
@@ -21,12 +23,12 @@ struct AllHits::State {
           memory(HitMemory::of(query_memory)),
           counts(QueryMemoryAccess::state(query_memory).counts) {}
 
-    void add(const KeyedHit& hit, const exact::Fraction& at) {
+    void add(const KeyedHit& hit, std::size_t place, const exact::Fraction& at) {
         const exact::NaturalSpan num = at.num.limbs(), den = at.den.limbs();
         const std::size_t begin = limbs.size();
         limbs.insert(limbs.end(), num.begin(), num.end());
         limbs.insert(limbs.end(), den.begin(), den.end());
-        items.push_back({hit, begin, num.size(), den.size()});
+        items.push_back({hit, place, begin, num.size(), den.size()});
     }
     exact::FractionRef parameter(const Item& item) const noexcept {
         const exact::NaturalSpan all = limbs;
@@ -78,7 +80,7 @@ class AllHits::Collector {
         } else if (!memory.triangles.find(vertices, *memory.other)) {
             return;
         }
-        state_.add({key_, rounded(state_.line, *memory.other, triangle)}, memory.other->enter);
+        state_.add({key_, rounded(state_.line, *memory.other, triangle)}, triangle, memory.other->enter);
     }
 
   private:
@@ -96,12 +98,12 @@ void AllHits::ask(const Posed<MeshShape>& body, std::uint64_t key) {
 }
 
 void AllHits::offer(const Hit& hit, std::uint64_t key) {
-    state_->add({key, hit}, exact::fraction_of(hit.parameter));
+    state_->add({key, hit}, state_->items.size(), exact::fraction_of(hit.parameter));
 }
 
 std::vector<KeyedHit> AllHits::get() {
     State& s = *state_;
-    const auto name = [](const State::Item& item) { return std::tuple(item.hit.key, item.hit.hit.feature.triangle); };
+    const auto name = [](const State::Item& item) { return std::tuple(item.hit.key, item.place); };
     std::ranges::sort(s.items, [&](const State::Item& a, const State::Item& b) {
         const int order = s.compare(a, b);
         return order != 0 ? order < 0 : name(a) < name(b);

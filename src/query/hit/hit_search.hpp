@@ -85,7 +85,8 @@ class FirstHit {
     KeyedHit least_;
 };
 
-// Finds all hits, in the order of their real parameters, then of keys, then of triangles.
+// Finds all hits, in the order of their real parameters, then of keys, then of triangles; those of one body that were
+// offered, in the order in which they were.
 class AllHits {
   public:
     AllHits(const Line& line, QueryMemory& memory);

@@ -15,7 +15,8 @@ namespace ecods::patches {
 //
 // The polygon from the first point c over points i < j < ... has the sum of the areas of triangles (c, i, j), (c, j,
 // ...). So the best choice of k points that ends at j is the best one of k - 1 points that ends at some i < j, and (c,
-// i, j): of m points, `count` m^2 sums and comparisons.
+// i, j): of m points, m^2 areas, and `count` m^2 sums and comparisons, most
+// of which bounds in doubles decide.
 std::vector<std::size_t> choose_corners(const std::vector<LongPoint>& points, const ScaledLongVector& normal,
                                         std::size_t count);
 
