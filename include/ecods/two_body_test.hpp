@@ -18,7 +18,8 @@ namespace ecods {
 // Answers questions about two shapes of one pair of kinds. A World calls it only for candidate pairs, with the shape of
 // the first kind first. Answers must depend on the shapes and poses alone: a verdict is kept while neither body
 // changes. In `ask` a World always gives a memory, and the witness that the last call for the pair left, if it stores
-// one; no answer may depend on them.
+// one; no answer may depend on them. A test that asks the World a question passes this memory on: without a memory, a
+// question that the executor runs waits until the call that runs the test is over, and so for ever.
 class ECODS_API TwoBodyTest {
   public:
     virtual ~TwoBodyTest() = default;
