@@ -18,10 +18,17 @@
 // points that they span; and for a segment of length 0, which is a point. Threads are as in intersection.hpp. All
 // functions throw InvalidArgument if validate() refuses the segment or ray.
 //
+// A hit has no normal and no side of its own: computing them takes some microseconds, which most callers do not need.
+// hit_normal() gives the normal of one hit; sided_hits() gives all hits with normals, and says if the line enters or
+// leaves there; inside_parts() gives the parts of the line that are inside a solid.
+//
 // Example: verify/examples/how_do_i, ray().
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ecods/ask.hpp"
@@ -47,5 +54,110 @@ namespace ecods {
 [[nodiscard]] ECODS_API std::vector<Hit> all_hits(const Segment& segment, const Posed<MeshShape>& body,
                                                   const Ask& ask = {});
 [[nodiscard]] ECODS_API std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask = {});
+
+// The hits of many lines with one body: those of line i are hits[first[i]] to hits[first[i + 1] - 1].
+struct HitLists {
+    std::vector<Hit> hits;
+    std::vector<std::size_t> first;  // one more than lines
+
+    std::span<const Hit> of(std::size_t line) const {
+        return std::span(hits).subspan(first[line], first[line + 1] - first[line]);
+    }
+};
+
+// The hits of many lines with the bodies: those of line i are hits[first[i]] to hits[first[i + 1] - 1].
+struct BodyHitLists {
+    std::vector<BodyHit> hits;
+    std::vector<std::size_t> first;  // one more than lines
+
+    std::span<const BodyHit> of(std::size_t line) const {
+        return std::span(hits).subspan(first[line], first[line + 1] - first[line]);
+    }
+};
+
+// Return all_hits() of each line, in their order. The error's `index` says which line is not valid.
+[[nodiscard]] ECODS_API HitLists all_hits(std::span<const Segment> segments, const Posed<MeshShape>& body,
+                                          const Ask& ask = {});
+[[nodiscard]] ECODS_API HitLists all_hits(std::span<const Ray> rays, const Posed<MeshShape>& body, const Ask& ask = {});
+
+// ---- normals and sides
+
+// Return the unit normal at a hit, (q - p) x (r - p) of the posed corners of a triangle, each coordinate rounded once.
+//
+// If the hit's feature is a face, the triangle is the hit's. At an edge or a vertex, it is the one whose unit normal n
+// is most opposed to the line's direction d (the real n . d is least), of all triangles that the line hits first at the
+// same real parameter; of ties the least triangle. Zero-area triangles do not count. So the normal depends neither on
+// which of these triangles the hit names, nor on the order of triangles, unless two normals tie. It points out of a
+// solid whose triangles are counterclockwise seen from outside, at a pose that does not mirror.
+//
+// Empty if no triangle counts, for the kind `inside`, or if the line has no such hit. Throw InvalidArgument. Cost:
+// about two microseconds for a face; otherwise that of all_hits(), and some microseconds for each triangle at the
+// parameter.
+[[nodiscard]] ECODS_API std::optional<Vec3> hit_normal(const Segment& segment, const Posed<MeshShape>& body,
+                                                       const Hit& hit, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<Vec3> hit_normal(const Ray& ray, const Posed<MeshShape>& body, const Hit& hit,
+                                                       const Ask& ask = {});
+
+// Says what the line does at a hit.
+enum class Passage : std::uint8_t {
+    enters,   // it is inside the solid just after the hit, and not inside just before
+    leaves,   // it is inside just before, and not just after
+    grazes,   // neither: it touches the surface from outside, from inside, or runs along it
+    crosses,  // of a surface: it goes through
+    begins,   // it begins inside the solid: HitKind::inside
+};
+
+// A hit with its normal, and where the line is beside it.
+//
+// `before` is where the line is just before the hit's parameter, `after` just after its leave_parameter: `on` means
+// that it runs along the surface there, in any of its triangles. The line is taken to go on beyond its ends, so that a
+// ray that begins on a face and goes inwards enters there. A line of length 0 is `on`, and grazes.
+//
+// A surface, a flat solid, or a solid at a singular pose has no inside: `before` and `after` are outside or on, and
+// outside beyond the line's ends. A hit of the kinds front and back crosses it. At an edge or a vertex, the line
+// crosses it if an odd number of the triangles that are hit first at the same real parameter are crossed by a line that
+// is shifted aside by an infinitesimal multiple of (1, k, k^2), for the least k = 0, 1, ... with which that line meets
+// none of the edges that the line itself hits. (If all edges there belong to an even number of triangles, any shift
+// gives the same answer.) All other hits graze it.
+struct SidedHit {
+    Hit hit;
+    Side before = Side::outside, after = Side::outside;
+    Passage passage = Passage::grazes;
+    std::optional<Vec3> normal;  // as hit_normal() gives it
+};
+
+// Return all_hits(), each with its normal and its sides. Throw InvalidArgument. Cost: that of all_hits(), one locate(),
+// and some microseconds for each hit.
+[[nodiscard]] ECODS_API std::vector<SidedHit> sided_hits(const Segment& segment, const Posed<MeshShape>& body,
+                                                         const Ask& ask = {});
+[[nodiscard]] ECODS_API std::vector<SidedHit> sided_hits(const Ray& ray, const Posed<MeshShape>& body,
+                                                         const Ask& ask = {});
+
+// Says how a part of a line begins or ends.
+enum class PartEnd : std::uint8_t {
+    of_line,  // the line itself begins or ends there, inside
+    crosses,  // at the surface, beyond which the line is outside
+    grazes,   // at one point of the surface, beyond which the line is inside again
+    along,    // at the surface, along which the line runs then
+};
+
+// A part of a line that is inside a solid: the points at parameters between `from` and `to`. Ends on the surface do not
+// belong to it. Parameters and points are the true ones, rounded once, as in Hit.
+struct InsidePart {
+    double from = 0, to = 0;
+    PartEnd begin = PartEnd::of_line, end = PartEnd::of_line;
+    Vec3 from_point = Vec3::Zero(), to_point = Vec3::Zero();
+
+    friend bool operator==(const InsidePart&, const InsidePart&) = default;
+};
+
+// Return the parts that are inside, ascending. Each is as long as possible, so where a line touches the surface from
+// inside at one point, one part ends and the next begins, both by `grazes`. What only touches the surface, or runs
+// along it, is no part; nor has a flat solid, a solid at a singular pose, or a line of length 0 any. Throw
+// InvalidArgument. Cost: that of all_hits(), one locate(), and some microseconds for each hit of an edge or a vertex.
+[[nodiscard]] ECODS_API std::vector<InsidePart> inside_parts(const Segment& segment, const Posed<Solid>& solid,
+                                                             const Ask& ask = {});
+[[nodiscard]] ECODS_API std::vector<InsidePart> inside_parts(const Ray& ray, const Posed<Solid>& solid,
+                                                             const Ask& ask = {});
 
 }  // namespace ecods

@@ -32,10 +32,12 @@
 #include <vector>
 
 #include "ecods/ask.hpp"
+#include "ecods/cast.hpp"
 #include "ecods/certificate.hpp"
 #include "ecods/contact.hpp"
 #include "ecods/error.hpp"
 #include "ecods/export.hpp"
+#include "ecods/hit.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
@@ -280,12 +282,30 @@ class ECODS_API World {
                                                 const Ask& ask = {}) const;
     [[nodiscard]] std::vector<BodyHit> all_hits(const Ray& ray, std::optional<CollisionFilter> filter = {},
                                                 const Ask& ask = {}) const;
+    // Return all_hits() of each line, in their order. The error's `index` says which line is not valid.
+    [[nodiscard]] BodyHitLists all_hits(std::span<const Segment> segments, std::optional<CollisionFilter> filter = {},
+                                        const Ask& ask = {}) const;
+    [[nodiscard]] BodyHitLists all_hits(std::span<const Ray> rays, std::optional<CollisionFilter> filter = {},
+                                        const Ask& ask = {}) const;
 
     // Supposes that the subject is translated by t * `motion` at each time t (cast.hpp); nothing is moved. Returns the
     // body that it meets first, or nullopt if it meets none up to max_time. Throws InvalidArgument if the motion is not
     // finite, or max_time is negative or NaN. A max_time above 1 counts as 1. Needs tests that answer Question::cast.
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
+
+    // Returns the body that the subject goes into first, translated in the same way; nullopt if it goes into none
+    // (entering() in cast.hpp; bodies are compared by their rounded times; of equal ones the least id). Throws
+    // InvalidArgument; NotSupported unless the subject and all bodies that it may meet are surfaces, or all are solids
+    // with inner points. Cost: a pass over the bodies, and the cost of entering() for those on the way. A trace does
+    // not hold this question.
+    [[nodiscard]] std::optional<BodyEntry> entering(const Asked& subject, const Vec3& motion,
+                                                    const Ask& ask = {}) const;
+
+    // Returns the point and the normal of a contact that cast(subject, motion) returned, as contact.hpp says, and
+    // throws the same errors; NotSupported if one of the two is no mesh or solid.
+    [[nodiscard]] ContactPoint contact_point(const Asked& subject, const Vec3& motion, const BodyContact& contact,
+                                             const Ask& ask = {}) const;
 
     // Returns all pairs that meet while each of the bodies moves from its present pose to its new pose, as Moving does,
     // and all other bodies stay. Pairs that are filtered out are skipped. Meeting says in which order. If a body is

@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/validate_lines.hpp"
 #include "query/body/starts_inside.hpp"
 #include "query/hit/hit_search.hpp"
 #include "query/intersection/asking.hpp"
@@ -91,6 +92,23 @@ std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Targets& targets,
     return result;
 }
 
+// Asks about each line; a trace holds each as a question of its own.
+template <class SegmentOrRay>
+BodyHitLists find_lists(const World& world, std::span<const SegmentOrRay> lines,
+                        const std::optional<CollisionFilter>& filter, const Ask& ask) {
+    validate_all(lines);
+    Asking asking(ask);
+    BodyHitLists lists;
+    lists.first.reserve(lines.size() + 1);
+    lists.first.push_back(0);
+    for (const SegmentOrRay& line : lines) {
+        const std::vector<BodyHit> hits = world.all_hits(line, filter, asking.memory());
+        lists.hits.insert(lists.hits.end(), hits.begin(), hits.end());
+        lists.first.push_back(lists.hits.size());
+    }
+    return lists;
+}
+
 }  // namespace
 
 std::optional<BodyHit> World::first_hit(const Segment& segment, std::optional<CollisionFilter> filter,
@@ -117,6 +135,15 @@ std::vector<BodyHit> World::all_hits(const Ray& ray, std::optional<CollisionFilt
     const Impl& w = impl();
     auto found = find_all(ray, targets_of(w), Asking(ask).memory(), filter);
     return w.traced<calls::AllHitsOfRay>(ask, std::move(found), ray, filter);
+}
+
+BodyHitLists World::all_hits(std::span<const Segment> segments, std::optional<CollisionFilter> filter,
+                             const Ask& ask) const {
+    return find_lists(*this, segments, filter, ask);
+}
+
+BodyHitLists World::all_hits(std::span<const Ray> rays, std::optional<CollisionFilter> filter, const Ask& ask) const {
+    return find_lists(*this, rays, filter, ask);
 }
 
 }  // namespace ecods

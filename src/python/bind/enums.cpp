@@ -5,6 +5,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "ecods/hit.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/casters.hpp"
 
@@ -79,6 +80,10 @@ void bind_enums(py::module_& m) {
          "How a line meets a triangle: inside the face, from the side of its normal, from the other one or from none; "
          "in an edge or a vertex; or at more than one point. `inside`: no triangle, as the line begins inside a solid.",
          HitKind::front, HitKind::inside);
+    make<Passage>(m, "Passage", "What a line does at a hit: SidedHit.passage.",
+                  {"enters", "leaves", "grazes", "crosses", "begins"});
+    make<PartEnd>(m, "PartEnd", "How a part of a line inside a solid begins or ends.",
+                  {"of_line", "crosses", "grazes", "along"});
     make(m, "Side", "The place of a point with respect to a solid.", Side::outside, Side::inside);
     make<BroadPhaseKind>(m, "BroadPhaseKind", "The way of finding overlapping boxes. No answer depends on it.",
                          {"brute_force", "sweep_and_prune", "kept_candidates", "automatic"});

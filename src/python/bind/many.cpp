@@ -101,6 +101,30 @@ py::tuple first_hits(const py::object& origins, const py::object& directions, co
     return py::make_tuple(parameters, triangles);
 }
 
+py::tuple all_hits_many(const py::object& origins, const py::object& directions, const PosedMesh& body,
+                        double max_parameter) {
+    const Doubles from = exact_points(origins, "origins");
+    const Doubles along = exact_points(directions, "directions");
+    if (from.shape(0) != along.shape(0)) throw py::value_error("origins and directions: of different lengths");
+    std::vector<Ray> rays(static_cast<std::size_t>(from.shape(0)));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const double* o = from.data() + 3 * i;
+        const double* d = along.data() + 3 * i;
+        rays[i] = {.origin = {o[0], o[1], o[2]}, .direction = {d[0], d[1], d[2]}, .max_parameter = max_parameter};
+    }
+    const HitLists lists = ask([&] { return all_hits(rays, body); });
+    py::array_t<std::int64_t> first(static_cast<py::ssize_t>(lists.first.size()));
+    std::ranges::copy(lists.first, first.mutable_data());
+    py::array_t<double> parameters(static_cast<py::ssize_t>(lists.hits.size()));
+    py::array_t<std::int64_t> triangles(static_cast<py::ssize_t>(lists.hits.size()));
+    for (std::size_t i = 0; i < lists.hits.size(); ++i) {
+        const Hit& hit = lists.hits[i];
+        parameters.mutable_data()[i] = hit.parameter;
+        triangles.mutable_data()[i] = hit.kind == HitKind::inside ? -1 : std::int64_t{hit.triangle()};
+    }
+    return py::make_tuple(first, parameters, triangles);
+}
+
 py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh& solid, std::size_t threads) {
     const Doubles rows = exact_points(points, "points");
     const auto posed = as<Solid>(solid, "solid");
@@ -192,6 +216,11 @@ void bind_many(py::module_& m) {
           "first_hit() of rays with origins (k, 3) and directions (k, 3): parameters (k,) float64, NaN for a ray that "
           "hits nothing, and triangles (k,) int64, -1 for such a ray and for one that begins inside a Solid, whose "
           "parameter is 0. Raises InvalidArgument.");
+    m.def("all_hits_many", &all_hits_many, py::arg("origins"), py::arg("directions"), py::arg("body"),
+          py::arg("max_parameter") = std::numeric_limits<double>::infinity(),
+          "all_hits() of rays with origins (k, 3) and directions (k, 3), one after another: first (k + 1,) int64, the "
+          "hits of ray i being those from first[i] to first[i + 1] - 1; parameters (n,) float64; triangles (n,) int64, "
+          "-1 for a ray that begins inside a Solid. Raises InvalidArgument with the index.");
     m.def("closest_many", &closest_many, py::arg("points"), py::arg("body"), py::arg("threads") = 1,
           "closest_point() of points (k, 3) and a body: the closest points (k, 3) float64, the distances (k,) float64 "
           "and the "

@@ -14,9 +14,11 @@ PYBIND11_MODULE(_ecods, m) {
     bind_pair_questions(m);
     bind_line_questions(m);
     bind_solid_questions(m);
+    bind_hit_sides(m);
     bind_rounded(m);
     bind_half_spaces(m);
     bind_contacts(m);
+    bind_entering(m);
     bind_many(m);
     bind_predicates(m);
     bind_certificates(m);

@@ -85,6 +85,23 @@ void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
         "BodyContact: what a body, a Mesh or a Posed meets first while it is translated by time times motion (3,), up "
         "to max_time, or None. Nothing moves. Raises InvalidArgument.");
     type.def(
+        "entering",
+        [](const SharedWorld& self, const Subject& subject, const Vec3& motion, const Filter& only) {
+            return self.read([&](const World& world) { return world.entering(to_asked(subject, only), motion); });
+        },
+        what, py::arg("motion"), filter,
+        "BodyEntry: the body that a body, a Mesh or a Posed goes into first, translated as in cast(), or None. Raises "
+        "NotSupported unless all are surfaces or all are Solids, InvalidArgument.");
+    type.def(
+        "contact_point",
+        [](const SharedWorld& self, const Subject& subject, const Vec3& motion, const BodyContact& contact) {
+            return self.read(
+                [&](const World& world) { return world.contact_point(to_asked(subject, {}), motion, contact); });
+        },
+        what, py::arg("motion"), py::arg("contact"),
+        "ContactPoint of a BodyContact that cast() of these arguments returned. Raises NotSupported for other shapes "
+        "than meshes and solids.");
+    type.def(
         "meetings",
         [](const SharedWorld& self, const py::object& bodies, const py::object& poses) {
             const auto ids = to_bodies(bodies);

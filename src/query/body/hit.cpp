@@ -3,6 +3,7 @@
 
 #include "base/double_key.hpp"
 #include "ecods/solid.hpp"
+#include "geometry/validate_lines.hpp"
 #include "query/body/starts_inside.hpp"
 #include "query/hit/surface_hit.hpp"
 #include "query/intersection/asking.hpp"
@@ -41,6 +42,21 @@ std::vector<Hit> find_all(const SegmentOrRay& line, const Posed<MeshShape>& pose
     return hits;
 }
 
+template <class SegmentOrRay>
+HitLists find_lists(std::span<const SegmentOrRay> lines, const Posed<MeshShape>& body, const Ask& ask) {
+    validate_all(lines);
+    Asking asking(ask);
+    HitLists lists;
+    lists.first.reserve(lines.size() + 1);
+    lists.first.push_back(0);
+    for (const SegmentOrRay& line : lines) {
+        const std::vector<Hit> hits = find_all(line, body, asking.memory());
+        lists.hits.insert(lists.hits.end(), hits.begin(), hits.end());
+        lists.first.push_back(lists.hits.size());
+    }
+    return lists;
+}
+
 }  // namespace
 
 bool is_inside(const Vec3& point, const PosedBody& body, QueryMemory& memory) {
@@ -68,6 +84,13 @@ std::vector<Hit> all_hits(const Segment& segment, const Posed<MeshShape>& body, 
 }
 std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask) {
     return find_all(ray, body, ask);
+}
+
+HitLists all_hits(std::span<const Segment> segments, const Posed<MeshShape>& body, const Ask& ask) {
+    return find_lists(segments, body, ask);
+}
+HitLists all_hits(std::span<const Ray> rays, const Posed<MeshShape>& body, const Ask& ask) {
+    return find_lists(rays, body, ask);
 }
 
 }  // namespace ecods

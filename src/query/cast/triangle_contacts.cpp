@@ -110,4 +110,24 @@ bool TriangleContacts::meet_by(std::uint32_t i, std::uint32_t j, double latest) 
     });
 }
 
+TriangleContacts::Entry TriangleContacts::entry(std::uint32_t i, std::uint32_t j, bool with_edges) {
+    return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) {
+        const ContactTimes<L> times(pair);
+        Entry entry;
+        if (times.meets_properly()) {
+            auto interval = times.interval();
+            if (!interval || interval->last.sign() <= 0) return entry;
+            if (interval->first.sign() < 0) interval->first.num = {};
+            if (compare(interval->first.size(), 1.0) < 0) entry.time = round_fraction(interval->first.size());
+        } else if (with_edges) {
+            for (std::size_t edge = 0; edge < 6; ++edge) {
+                if (times.slides_in_plane(edge / 3, edge % 3)) {
+                    entry.sliding_edges |= static_cast<std::uint8_t>(1U << edge);
+                }
+            }
+        }
+        return entry;
+    });
+}
+
 }  // namespace ecods

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <bit>
 #include <tuple>
 
 #include "base/double_key.hpp"
-#include "query/hit/hit_memory.hpp"
+#include "query/hit/hit_collector.hpp"
 #include "query/hit/hit_search.hpp"
 
 namespace ecods {
@@ -53,48 +52,11 @@ struct AllHits::State {
 AllHits::AllHits(const Line& line, QueryMemory& memory) : state_(std::make_unique<State>(line, memory)) {}
 AllHits::~AllHits() = default;
 
-// Collects the hits of all triangles that the line hits; its limit leaves out no part of the line.
-class AllHits::Collector {
-  public:
-    Collector(State& state, const Mesh& mesh, std::uint64_t key) : state_(state), mesh_(mesh), key_(key) {}
-
-    float limit() const noexcept { return 1; }
-    void visit_node() noexcept { ++state_.counts.box_tests; }
-    void visit(const TreeLeaf& leaf, const FoundInLeaf& found) {
-        state_.counts.hits.triangle_tests += leaf.count;
-        for (std::uint32_t lanes = found.may_meet; lanes != 0; lanes &= lanes - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-            visit(leaf.triangle[lane], leaf.vertices[lane]);
-        }
-    }
-    void visit(std::uint32_t triangle) { visit(triangle, mesh_.triangles()[triangle]); }
-    void visit(std::uint32_t triangle, const Triangle& vertices) {
-        HitCounts& counts = state_.counts.hits;
-        HitMemory& memory = state_.memory;
-        ++counts.enclosures;
-        const HitEnclosure enclosure = memory.triangles.enclose(vertices);
-        if (enclosure.verdict == HitEnclosure::Verdict::none) return;
-        ++counts.exact;
-        if (enclosure.verdict == HitEnclosure::Verdict::face) {
-            memory.triangles.find_crossing(vertices, *memory.other);
-        } else if (!memory.triangles.find(vertices, *memory.other)) {
-            return;
-        }
-        state_.add({key_, rounded(state_.line, *memory.other, triangle)}, triangle, memory.other->enter);
-    }
-
-  private:
-    State& state_;
-    const Mesh& mesh_;
-    std::uint64_t key_;
-};
-
 void AllHits::ask(const Posed<MeshShape>& body, std::uint64_t key) {
     State& s = *state_;
-    ++s.counts.queries;
-    const LineAxes::Place place = s.memory.bind(s.line, s.scaled, s.scaled.end_high, body);
-    Collector collector(s, body.what->mesh(), key);
-    s.memory.walk(body, place, collector);
+    collect_hits(s.line, s.scaled, body, s.memory, s.counts, [&](std::uint32_t triangle, const exact::LineHit& hit) {
+        s.add({key, rounded(s.line, hit, triangle)}, triangle, hit.enter);
+    });
 }
 
 void AllHits::offer(const Hit& hit, std::uint64_t key) {

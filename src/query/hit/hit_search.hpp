@@ -102,7 +102,6 @@ class AllHits {
 
   private:
     struct State;
-    class Collector;
     std::unique_ptr<State> state_;
 };
 

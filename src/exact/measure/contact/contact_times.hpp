@@ -64,7 +64,8 @@ class ContactTimes {
         for (std::size_t side = 0; side < 2; ++side) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const LimbVector<2 * L> c = cross<L>(m_, features_.from(side, i, 1));
-                all_edges_are_parallel_ &= is_zero_vector<2 * L>(c);
+                is_parallel_[side][i] = is_zero_vector<2 * L>(c);
+                all_edges_are_parallel_ &= is_parallel_[side][i];
                 for (std::size_t j = 0; j < 3; ++j) {
                     const Vector w =
                         side == 0 ? difference<L>(points[3 + j], points[i]) : difference<L>(points[j], points[3 + i]);
@@ -76,8 +77,12 @@ class ContactTimes {
         }
     }
 
-    // Returns the first time from 0 to 1 at which the triangles share a point; nullopt if there is none.
-    std::optional<Time> first() const noexcept {
+    // The times s0 and s1 between which the triangles share a point, of either sign.
+    struct Interval {
+        Time first, last;
+    };
+    // Returns nullopt if the triangles share no point at any time.
+    std::optional<Interval> interval() const noexcept {
         Time least{}, greatest{};
         bool is_known = false;
         for (const FeaturePair& f : feature_pairs) {
@@ -88,9 +93,53 @@ class ContactTimes {
             if (!is_known || compare(t, greatest) > 0) greatest = t;
             is_known = true;
         }
-        if (!is_known || greatest.sign() < 0) return std::nullopt;
-        if (least.sign() < 0) least.num = {};
-        return is_by_one(least) ? std::optional(least) : std::nullopt;
+        return is_known ? std::optional(Interval{least, greatest}) : std::nullopt;
+    }
+
+    // Returns the first time from 0 to 1 at which the triangles share a point; nullopt if there is none.
+    std::optional<Time> first() const noexcept {
+        std::optional<Interval> times = interval();
+        if (!times || times->last.sign() < 0) return std::nullopt;
+        if (times->first.sign() < 0) times->first.num = {};
+        return is_by_one(times->first) ? std::optional(times->first) : std::nullopt;
+    }
+
+    // True if the line from the origin along m meets the relative interior of D, and is in no plane with D: seen along
+    // m, the triangles overlap inside. Then a triangle goes properly into or through the other one.
+    //
+    // Seen along m, D is a convex polygon in the plane. The origin is inside unless all of D is on the outer side of
+    // the line of one of D's sides. Each side of D has the direction of an edge of A or B, and is of this edge and of
+    // the vertex of the other triangle that is furthest out. If A's third corner is on one side of A's edge, that is
+    // the inner side: a corner of B must be there, too. If A is seen as a segment, both sides are outer sides.
+    bool meets_properly() const noexcept {
+        if (all_edges_are_parallel_) return false;
+        for (std::size_t side = 0; side < 2; ++side) {
+            // the side of each edge on which the third corner is: that of m x e0 . e1 = m . n
+            const int own = sign<3 * L>(dot<2 * L, L>(normal_of(side), m_));
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (is_parallel_[side][i]) continue;
+                bool has_positive = false, has_negative = false;
+                for (const std::int8_t s : sides_[side][i]) {
+                    has_positive |= s > 0;
+                    has_negative |= s < 0;
+                }
+                if ((own >= 0 && !has_positive) || (own <= 0 && !has_negative)) return false;
+            }
+        }
+        return true;
+    }
+
+    // True if edge `edge` of triangle `side` is in the plane of the other triangle, and this plane is parallel to m.
+    // The other triangle must have an area.
+    bool slides_in_plane(std::size_t side, std::size_t edge) const noexcept {
+        const LimbVector<2 * L> n = normal_of(1 - side);
+        if (sign<3 * L>(dot<2 * L, L>(n, m_)) != 0) return false;
+        const auto is_in_plane = [&](std::size_t corner) {
+            FeaturePair f{};  // this corner, and corner 0 of the other triangle
+            (side == 0 ? f.a : f.b) = static_cast<decltype(f.a)>(corner);
+            return sign<3 * L>(dot<2 * L, L>(n, features_.between(f))) == 0;
+        };
+        return is_in_plane(edge) && is_in_plane((edge + 1) % 3);
     }
 
     // True if time <= 1. The time must be >= 0.
@@ -133,6 +182,10 @@ class ContactTimes {
     }
 
   private:
+    LimbVector<2 * L> normal_of(std::size_t side) const noexcept {
+        return cross<L>(features_.from(side, 0, 1), features_.from(side, 0, 2));
+    }
+
     static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
     static_assert(3 * k + 3 < 64 * (3 * L));
     static_assert(6 * k + 6 <= 64 * (6 * L));
@@ -218,6 +271,7 @@ class ContactTimes {
     // sides_[t][e][c] is the sign of the determinant of m, edge e of triangle t, and the difference of corner c of the
     // other triangle and the beginning of that edge.
     std::int8_t sides_[2][3][3];
+    bool is_parallel_[2][3];  // by triangle and edge: true if the edge is parallel to m
     bool all_sides_are_zero_ = true, all_edges_are_parallel_ = true;
 };
 

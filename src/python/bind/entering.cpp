@@ -1,0 +1,38 @@
+// Binds the questions of cast.hpp and contact.hpp about when a body enters another one, and where it first touches it.
+#include <pybind11/stl.h>
+
+#include "ecods/cast.hpp"
+#include "ecods/contact.hpp"
+#include "python/bind/ask.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/record.hpp"
+#include "python/bind/shapes.hpp"
+
+namespace ecods::python {
+
+void bind_entering(py::module_& m) {
+    add_record(m, "FirstEntry", "When a body first goes into another one.",
+               Field{"time", &FirstEntry::time, "From 0 to less than 1: the true time, rounded once."},
+               Field{"a", &FirstEntry::a, "The face of a; none if inner points meet at the start."},
+               Field{"b", &FirstEntry::b, "The face of b; none if inner points meet at the start."});
+    add_record(m, "BodyEntry", "When something first goes into a body of a world.",
+               Field{"body", &BodyEntry::body, "The body's id."}, Field{"entry", &BodyEntry::entry, "The FirstEntry."});
+    add_record(m, "ContactPoint", "The point and the normal of a FirstContact.",
+               Field{"point", &ContactPoint::point, "(3,) float64, each coordinate rounded once."},
+               Field{"normal", &ContactPoint::normal, "Unit vector (3,) from a to b; None for a contact at time 0."});
+    const py::arg a("a"), motion("motion"), b("b");
+    m.def(
+        "entering", asked<PosedMesh, Vec3, PosedMesh>(ECODS_QUESTION(entering)), a, motion, b,
+        "FirstEntry of a, translated by time times motion (3,), into b, which stays; None if it does not enter before "
+        "time 1. Touching does not count: two Solids enter when their interiors meet, two Meshes when a triangle goes "
+        "properly into another one. Exact. Raises NotSupported for a Solid and a Mesh, InvalidArgument.");
+    m.def("pose_before", asked<PosedMesh, Vec3, PosedMesh, double>(ECODS_QUESTION(pose_before)), a, motion, b,
+          py::arg("time"),
+          "Pose (4, 4) of a on its way, at the time or somewhat before, at which it is proven that a is not in b; None "
+          "if it is in b at the start. Raises InvalidArgument.");
+    m.def("contact_point", asked<PosedMesh, Vec3, PosedMesh, FirstContact>(ECODS_QUESTION(contact_point)), a, motion, b,
+          py::arg("contact"),
+          "ContactPoint of a FirstContact that cast(a, motion, b) returned. Raises NotSupported for another contact.");
+}
+
+}  // namespace ecods::python

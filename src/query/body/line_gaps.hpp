@@ -1,0 +1,70 @@
+// LineGaps finds the parts of a line between the points that it shares with the surface of a body, and says on which
+// side each of them is.
+//
+// A gap is an open interval of parameters, as long as possible, in which the line shares no point with the surface. So
+// it begins at the line's beginning, at a hit, or where the line leaves a face that it runs along.
+//
+// Proof of the sides. A gap is on one side of the surface, and so is a line that is shifted aside by an infinitesimal
+// distance (shifted_line.hpp), which changes its side exactly where it crosses a triangle; a solid has the parity of
+// the triangles that are crossed (query/solid/README.md). Each triangle that it crosses is one that the line hits. So
+// the sides of all gaps follow from the side on which the shifted line begins, and from the triangles that it crosses
+// at each parameter.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ecods/results.hpp"
+#include "geometry/line.hpp"
+#include "query/body/posed_body.hpp"
+#include "query/body/shifted_line.hpp"
+#include "query/hit/exact_hits.hpp"
+
+namespace ecods {
+
+class LineGaps {
+  public:
+    struct Gap {
+        LongFraction from;
+        std::optional<LongFraction> to;  // empty at the end of a ray without an end
+        Side side;                       // outside or inside
+    };
+
+    // The line must be valid. A body without inner points has gaps outside only.
+    LineGaps(const Line& line, const PosedBody& body, QueryMemory& memory);
+
+    std::span<const ExactHit> hits() const noexcept { return hits_; }
+    std::span<const Gap> gaps() const noexcept { return gaps_; }
+
+    // True if the line's first point, or its last one, is on the surface.
+    bool begins_on_surface() const noexcept { return !hits_.empty() && hits_.front().enter.num.is_zero(); }
+    bool ends_on_surface() const noexcept { return ends_on_surface_; }
+
+    // Return on which side the line is just before, and just after a parameter that is one of a hit; `on` if it runs
+    // along the surface there. Beyond its ends, the line is taken to go on.
+    Side before(const LongFraction& parameter) const;
+    Side after(const LongFraction& parameter) const;
+
+    bool is_at_end(const LongFraction& parameter) const noexcept;
+
+    // True if the shifted line crosses an odd number of the triangles that are hit first at this hit's parameter.
+    bool crosses(std::size_t hit) const noexcept { return crosses_[hit] != 0; }
+
+    // True for a segment of length 0, or a ray that ends where it begins.
+    static bool is_point(const Line& line) noexcept;
+
+  private:
+    // `first` is the side on which the shifted line begins; empty for a body without inner points.
+    void find_gaps(std::optional<Side> first);
+
+    std::vector<ExactHit> hits_;
+    std::vector<Gap> gaps_;              // ascending
+    std::vector<std::uint8_t> crosses_;  // by hit
+    std::optional<LongFraction> end_;    // of the line; empty if it has none
+    bool ends_on_surface_ = false;
+    Side before_begin_ = Side::outside, after_end_ = Side::outside;
+};
+
+}  // namespace ecods

@@ -1,0 +1,57 @@
+// Says when an edge of a translated solid that slides in the plane of a face goes into the other solid.
+//
+// Let n be the outer normal of a face f. Near a point of the edge e, its solid is a union of wedges around e, whose
+// sides are the half-planes of the triangles at e. The wedges reach strictly below f, into the points d with n.d < 0,
+// if one of the half-planes does; or if none does and all points below f belong to a wedge. The half-plane that is
+// nearest to the points below decides that: if it is in the plane of f, the points below are on its inner side, or
+// not; otherwise it has all others on one side, and the points below are on the other one.
+//
+// If they do, e's solid and f's solid share inner points beside f while the open segment e is in the open triangle f;
+// and if e and f are in one plane which is parallel to the motion, e enters f like a segment enters a triangle of the
+// plane: at the first time of an interval, if their shadows along the motion overlap inside.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "ecods/solid.hpp"
+#include "exact/number/long_vector.hpp"
+#include "query/cast/entering.hpp"
+#include "query/solid/solid_parts.hpp"
+
+namespace ecods {
+
+// Two solids with inner points, of which the first one is translated.
+class SlidingSolids final : public SlidingEdges {
+  public:
+    SlidingSolids(const Posed<Solid>& a, const Vec3& motion, const Posed<Solid>& b);
+
+    // Return the mesh whose edges are not split, on which the search runs, and the name of a triangle of it.
+    Posed<MeshShape> mesh(std::size_t side) const;
+    std::uint32_t name(std::size_t side, std::uint32_t triangle) const;
+
+    bool counts(std::size_t side, std::uint32_t triangle) const override;
+    std::optional<double> time(std::size_t side, std::uint32_t triangle, std::uint32_t corner,
+                               std::uint32_t face) override;
+
+  private:
+    struct Body {
+        const Solid* solid;
+        const SolidAccess::Parts* parts;
+        const Shells* shells;
+        Pose pose;
+        bool is_mirrored;
+
+        const Mesh& mesh() const { return *parts->proper.mesh; }
+        exact::ScaledLongVector point(std::uint32_t vertex) const;
+        std::array<exact::ScaledLongVector, 3> corners(std::uint32_t triangle) const;
+        exact::ScaledLongVector outer_normal(std::uint32_t triangle) const;
+    };
+    static Body body_of(const Posed<Solid>& posed);
+    bool reaches_below(const Body& body, const SideRef& edge, const exact::ScaledLongVector& n) const;
+
+    std::array<Body, 2> bodies_;
+    exact::ScaledLongVector motion_;
+};
+
+}  // namespace ecods

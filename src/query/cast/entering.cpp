@@ -1,0 +1,103 @@
+#include "query/cast/entering.hpp"
+
+#include <limits>
+#include <memory>
+
+#include "base/double_key.hpp"
+#include "bvh/axes/swept_axes.hpp"
+#include "query/cast/contact_interval.hpp"
+#include "query/cast/triangle_contacts.hpp"
+#include "query/search/search.hpp"
+
+namespace ecods {
+namespace {
+
+// Entering is the PairQuestion (query/search) whose numbers are the times at which pairs of triangles go in. No pair
+// goes in before its first contact, so lower bounds of that time hold for these numbers.
+class Entering {
+  public:
+    using Interval = ContactInterval;
+    using Value = PairEntry;
+
+    // Returns false if there is certainly no contact from time 0 to 1.
+    bool bind(const MeshPair& bodies, const Vec3& motion, SlidingEdges* edges, CastCounts& counts) {
+        const MeshBody &a = bodies.a, &b = bodies.b;
+        counts_ = &counts;
+        edges_ = edges;
+        if (!axes_.bind({a.tree.boxes, a.pose.R}, {b.tree.boxes, b.pose.R}, b.pose.t - a.pose.t, motion, 1))
+            return false;
+        contacts_.bind(a.ref(), motion, b.ref());
+        return true;
+    }
+
+    float limit_above(double time) const noexcept { return axes_.window_above(time); }
+    template <class X, class Y>
+    std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
+        return swept_mask(axes_.sets(), limit, x, y, times);
+    }
+    // A pair that shares a point need not go in.
+    bool may_share(float) const noexcept { return false; }
+
+    ContactInterval enclose(const TrianglePair& pair, double) {
+        if (edges_ != nullptr && !(edges_->counts(0, pair.a) && edges_->counts(1, pair.b))) return never();
+        ++counts_->enclosures;
+        ContactInterval interval = contacts_.enclose(pair.a, pair.b);
+        // A vertex strictly inside a face, or two edges that cross, seen along the motion: the pair goes in properly
+        // at its first contact.
+        const bool is_proven =
+            interval.is_certain && key_of(interval.lower) > 0 && key_of(interval.upper) < key_of(1.0);
+        if (!is_proven) interval.upper = std::numeric_limits<double>::infinity();
+        interval.is_certain = is_proven;
+        return interval;
+    }
+    // Decides the pair exactly, unless its interval proves that it goes in. Returns false if it does not.
+    bool complete(const TrianglePair& pair, ContactInterval& interval, std::optional<PairEntry>& entry) {
+        if (interval.is_certain) return true;
+        entry = find(pair);
+        if (entry) interval.lower = interval.upper = entry->time;
+        return entry.has_value();
+    }
+    std::optional<PairEntry> find(const TrianglePair& pair) {
+        ++counts_->exact;
+        const TriangleContacts::Entry found = contacts_.entry(pair.a, pair.b, edges_ != nullptr);
+        std::optional<double> time = found.time;
+        for (std::uint32_t edge = 0; edge < 6; ++edge) {
+            if ((found.sliding_edges >> edge & 1) == 0) continue;
+            const bool is_of_a = edge < 3;
+            const auto slides_in =
+                is_of_a ? edges_->time(0, pair.a, edge, pair.b) : edges_->time(1, pair.b, edge - 3, pair.a);
+            if (slides_in && (!time || key_of(*slides_in) < key_of(*time))) time = slides_in;
+        }
+        if (!time) return std::nullopt;
+        return PairEntry{*time, pair};
+    }
+
+  private:
+    static ContactInterval never() {
+        ContactInterval interval;
+        interval.lower = std::numeric_limits<double>::infinity();
+        return interval;
+    }
+
+    SweptAxes axes_;
+    TriangleContacts contacts_;
+    SlidingEdges* edges_ = nullptr;
+    CastCounts* counts_ = nullptr;
+};
+
+}  // namespace
+
+std::optional<PairEntry> first_entry(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                     SlidingEdges* edges, QueryMemory& memory) {
+    const auto allocated = std::make_unique<SearchMemory<Entering>>();
+    SearchMemory<Entering>& working = *allocated;
+    const MeshPair bodies{MeshBody(a), MeshBody(b)};
+    CastCounts& counts = QueryMemoryAccess::state(memory).counts.casts;
+    if (!working.question.bind(bodies, motion, edges, counts)) return std::nullopt;
+    Search(bodies, working, memory).run({.at_most = 1}, std::nullopt);
+    return working.sieve.least([&](const auto& open, const auto&) { return working.question.find(open.triangles); },
+                               [](const PairEntry& e) { return e.time; },
+                               [](const PairEntry& e) { return e.triangles; });
+}
+
+}  // namespace ecods
