@@ -6,6 +6,7 @@
 #include "engines/hit_engine.hpp"
 #include "engines/narrow_engine.hpp"
 #include "engines/polytopes_engine.hpp"
+#include "engines/rounded_engine.hpp"
 
 namespace ecods::bench {
 
@@ -36,6 +37,10 @@ std::vector<ConvexMaker> convex_engines(scenes::ConvexQuestion question) {
 
 std::vector<PolytopesMaker> polytopes_engines() {
     return joined(ecods_polytopes(), fcl_polytopes());
+}
+
+std::vector<RoundMaker> round_engines() {
+    return joined(ecods_round(), fcl_round(), bullet_round());
 }
 
 }  // namespace ecods::bench

@@ -7,6 +7,7 @@
 #include "engines/hit_engine.hpp"
 #include "engines/narrow_engine.hpp"
 #include "engines/polytopes_engine.hpp"
+#include "engines/rounded_engine.hpp"
 #include "engines/scene_engine.hpp"
 
 namespace ecods::bench {
@@ -20,6 +21,7 @@ std::vector<Suite> all_suites() {
             {"convex", run_convex,
              names_of(convex_engines(scenes::ConvexQuestion::distance), convex_engines(scenes::ConvexQuestion::depth),
                       polytopes_engines())},
+            {"rounded", run_rounded, names_of(round_engines())},
             {"arm", run_arm},
             {"broad", run_broad, names_of(broad_engines())},
             {"system", run_system, names_of(system_engines())},

@@ -86,6 +86,7 @@ SuiteResult run_casts(const SuiteOptions& options);         // segments, casts a
 SuiteResult run_certificates(const SuiteOptions& options);  // answers with proofs: time and size
 SuiteResult run_solids(const SuiteOptions& options);        // what is inside what: pairs, points and meshes
 SuiteResult run_convex(const SuiteOptions& options);        // convex solids: how far, how deep, a thousand that move
+SuiteResult run_rounded(const SuiteOptions& options);       // spheres, capsules and boxes: two bodies
 SuiteResult run_arm(const SuiteOptions& options);           // an arm among obstacles: the closest pair of each step
 SuiteResult run_broad(const SuiteOptions& options);         // boxes only: time of every engine
 SuiteResult run_system(const SuiteOptions& options);        // the report's two experiments

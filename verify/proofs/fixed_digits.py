@@ -1,5 +1,5 @@
 """Digits of lengths, distances of planes and crossings: src/exact/measure/round/fixed_digits.cpp, fixed_length.cpp,
-fixed_plane.cpp and src/exact/measure/line/round_crossing.cpp, in any rounding mode.
+fixed_plane.cpp, fixed_vector.cpp and src/exact/measure/line/round_crossing.cpp, in any rounding mode.
 
 Proved: the inverse root is off by less than 2^-97 (2^-94 is promised); the errors of digits count all that is off,
 terms of second order included; a crossing's quotient q is between q - 3 and q + 2 of its units."""
@@ -51,6 +51,17 @@ promised = constant(PLANE, r"total = of_size \+ \(Uint128\{1\} << (\d+)\)")
 for error in (0, 1, 2**64):
     off = digits * ((1 + of_root) / (1 - R3 * error / 2**125) - 1) + 2**100 * 4 * (of_root + R3 * error / 2**125) + 1
     claim(off <= 2 ** int(promised) + error * 16 + 2, f"a quotient by a normal that is off by {error}")
+
+# FixedVector. A length has the inverse root and the dropped digits of a square, a cut, and a shift that cuts its error; a
+# direction 2 sqrt(3) e / |x| in units of 2^-126, the inverse root, and a cut.
+VECTOR = "src/exact/measure/round/fixed_vector.cpp"
+of_root_and_cut = (1 + Q(1, 2**94)) * (1 + Q(1, 2**123)) - 1
+shift = number(VECTOR, r"static_cast<Uint128>\(value\) >> (\d+)\)")
+claim(of_root_and_cut / (1 - of_root_and_cut) <= Q(1, 2 ** int(shift)), "the length of a vector")
+claim(R3 <= constant(VECTOR, r"doubled = (\d+) \* largest_error"), "the length of a vector that is off")
+claim(2 <= constant(VECTOR, r"\+ of_errors \+ (\d+)\};"), "the cuts of a length")
+claim(2 * R3 / 2**125 * 2**126 <= constant(VECTOR, r"(\d+) \* error_ \+"), "a direction that is off")
+claim(2**126 * Q(1, 2**94) <= 2 ** number(VECTOR, r"error_ \+ \(Uint128\{1\} << (\d+)\)"), "a direction")
 
 # round_crossing: 127 digits a by 64 digits b, cut, each sum off by 2^-(digits_min - 1).
 digits_min = constant(CROSSING, r"digits_min = (\d+)")

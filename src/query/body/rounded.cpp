@@ -8,6 +8,7 @@
 #include "base/next.hpp"
 #include "query/body/core_distance.hpp"
 #include "query/body/rounded_pair.hpp"
+#include "query/body/rounded_segments.hpp"
 #include "query/body/segment_filter.hpp"
 #include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
@@ -28,18 +29,36 @@ DistanceBounds reduced(const DistanceBounds& bounds, const exact::ExactSum& marg
     return result;
 }
 
+// Counts a query that was answered without a search.
+void count_decided(Asking& asking) {
+    QueryCounts& counts = QueryMemoryAccess::state(asking.memory()).counts;
+    ++counts.queries;
+    ++counts.distances.enclosures;
+}
+
+// Returns what RoundedPair::filtered() does, and counts nothing.
+std::optional<int> compare_in_doubles(const RoundedPair& pair, double max_distance) {
+    const auto& [a, b] = pair;
+    const bool has_radius = key_of(a.radius) != 0 || key_of(b.radius) != 0;
+    if (!has_radius || !is_segment(*a.core.what) || !is_segment(*b.core.what)) return std::nullopt;
+    return compare_segments(a.core, b.core, a.radius, b.radius, max_distance);
+}
+
 }  // namespace
+
+// Leaves the one pair of triangles as a witness, as the search does.
+void RoundedPair::count_found(const Ask& ask) {
+    Asking asking(ask);
+    count_decided(asking);
+    asking.witness() = {0, 0};
+}
 
 // Spheres and capsules are tried in doubles. Bodies without radii are asked about as their cores are.
 std::optional<int> RoundedPair::filtered(double max_distance, const Ask& ask) const {
-    const bool has_radius = key_of(a.radius) != 0 || key_of(b.radius) != 0;
-    if (!has_radius || !is_segment(*a.core.what) || !is_segment(*b.core.what)) return std::nullopt;
-    const auto sign = compare_segments(a.core, b.core, a.radius, b.radius, max_distance);
+    const auto sign = compare_in_doubles(*this, max_distance);
     if (sign) {
         Asking asking(ask);
-        QueryCounts& counts = QueryMemoryAccess::state(asking.memory()).counts;
-        ++counts.queries;
-        ++counts.distances.enclosures;
+        count_decided(asking);
     }
     return sign;
 }
@@ -50,7 +69,16 @@ bool RoundedPair::intersects(const Ask& ask) const {
 }
 
 double RoundedPair::distance(const Ask& ask) const {
-    if (const auto sign = filtered(0, ask); sign && *sign < 0) return 0;
+    if (const auto sign = compare_in_doubles(*this, 0); sign && *sign < 0) {
+        Asking asking(ask);
+        count_decided(asking);
+        return 0;
+    }
+    const auto segments = RoundedSegments::find(a, b);
+    if (const auto gap = segments ? segments->signed_distance() : std::nullopt) {
+        count_found(ask);
+        return positive_part(*gap);
+    }
     return cores::distance(a.core, b.core, radii().sum(), ask);
 }
 
@@ -62,6 +90,12 @@ bool RoundedPair::within(double max_distance, const Ask& ask) const {
 }
 
 ClosestPoints RoundedPair::closest(const Ask& ask) const {
+    const auto segments = RoundedSegments::find(a, b);
+    if (auto points = segments ? segments->signed_closest() : std::nullopt) {
+        count_found(ask);
+        points->distance = positive_part(points->distance);
+        return *points;
+    }
     return cores::closest(a.core, b.core, radii(), ask);
 }
 

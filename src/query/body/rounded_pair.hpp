@@ -25,6 +25,9 @@ struct RoundedPair {
     // Returns the sign of the distance of the cores less the radii and max_distance, if doubles decide it (-1 or 1).
     std::optional<int> filtered(double max_distance, const Ask& ask) const;
 
+    // Counts a query about spheres or capsules that fixed precision has answered (rounded_segments.hpp).
+    static void count_found(const Ask& ask);
+
     bool intersects(const Ask& ask) const;
     Relation relation(const Ask& ask) const;
     double distance(const Ask& ask) const;

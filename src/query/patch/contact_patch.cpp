@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -7,6 +8,8 @@
 #include "ecods/contact.hpp"
 #include "ecods/error.hpp"
 #include "ecods/half_space.hpp"
+#include "exact/simplex/common_pose.hpp"
+#include "query/body/rounded_segments.hpp"
 #include "query/convex/convex_core.hpp"
 #include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -48,6 +51,23 @@ double radius_of(const Shape& shape) noexcept {
     return rounded != nullptr ? rounded->radius() : 0;
 }
 
+// Returns the patch of two spheres or capsules that has one corner, if fixed precision decides it. A patch with a
+// corner for each of some tilted features, or of parallel segments, is left to the hulls.
+std::optional<ContactPatch> find_fixed(const Posed<Shape>& a, const Posed<Shape>& b, const PatchLimits& limits) {
+    const auto* const x = dynamic_cast<const Rounded*>(a.what);
+    const auto* const y = dynamic_cast<const Rounded*>(b.what);
+    if (x == nullptr || y == nullptr || key_of(limits.min_cos_squared) != key_of(1.0)) return std::nullopt;
+    const auto segments = RoundedSegments::find(Posed<Rounded>(*x, a.pose), Posed<Rounded>(*y, b.pose));
+    if (!segments || !segments->is_only()) return std::nullopt;
+    const auto at = segments->signed_closest();
+    const auto direction = segments->direction(), middle = segments->middle();
+    if (!at || !direction || !middle || key_of(at->distance) >= key_of(limits.max_gap)) return std::nullopt;
+    if (!exact::is_regular(a.pose.R) || !exact::is_regular(b.pose.R)) return std::nullopt;
+    ContactPatch patch{at->distance, *direction, {}, 1};
+    patch.corners.push_back({at->point_a, at->point_b, *middle, at->distance, at->a, at->b});
+    return patch;
+}
+
 // Exchanges the bodies of a patch with a half space, whose one feature leaves the first corner the first.
 void exchange(ContactPatch& patch) {
     for (double& x : patch.normal) x = opposite(x);
@@ -84,6 +104,10 @@ ContactPatch contact_patch(const Posed<Shape>& a, const Posed<Shape>& b, const P
         ContactPatch patch = patches::patch_on_plane(patches::ConvexBody(b, 1), {*plane_a, a.pose}, 0, limits);
         exchange(patch);
         return patch;
+    }
+    if (auto patch = find_fixed(a, b, limits)) {
+        asking.witness() = {0, 0};
+        return *std::move(patch);
     }
     const patches::ConvexBody x(a, 0), y(b, 1);
     convex::PosedHulls hulls(x.core, y.core, memory);

@@ -1,0 +1,33 @@
+// Finds the closest points of two points or segments in fixed precision, with proven bounds.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/round/fixed_vector.hpp"
+#include "exact/point/segment_ends.hpp"
+
+namespace ecods::exact {
+
+// The closest points, in the units of SegmentEnds, and bounds of their errors.
+struct ClosestOnSegments {
+    // The first pair, in the order of feature_pairs, with closest points in both relative interiors; the corners are
+    // those of triangles (p, q, q).
+    FeaturePair features;
+    std::array<IntegerVector, 2> point;
+    std::array<ErrorBounds, 2> errors;
+    bool is_only = true;  // true if no other points are as close; parallel segments are not looked at
+
+    FixedNumber number(std::size_t side, std::size_t k) const noexcept { return {point[side][k], errors[side][k]}; }
+    // Returns the vector from the first point to the second; nullopt if they may be equal.
+    std::optional<FixedVector> between() const noexcept {
+        return FixedVector::of(difference(point[1], point[0]),
+                               {errors[0][0] + errors[1][0], errors[0][1] + errors[1][1], errors[0][2] + errors[1][2]});
+    }
+};
+
+// Returns nullopt if fixed precision does not decide which features are closest. The segments should not meet.
+std::optional<ClosestOnSegments> closest_on_segments(const SegmentEnds& ends) noexcept;
+
+}  // namespace ecods::exact
