@@ -144,7 +144,7 @@ struct DepthAlong {
 
 // ---- the point of a first contact
 
-// Where two bodies first touch, and along which direction they come together there.
+// A ContactPoint says where two bodies first touch, and along which direction they come together there.
 //
 // `point` is the point that the features of the FirstContact share at its time, each coordinate rounded once: where one
 // of them is a vertex, that vertex, otherwise the point where the edges cross.

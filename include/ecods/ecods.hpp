@@ -19,6 +19,7 @@
 //     ask for a point?                                      closest, signed_distance; locate (of a solid)
 //     find penetration, separation?                         signed_distance, depth, depth_bounds; within
 //     get contact points and normals?                       contact_patch (convex); intersections, close_features
+//     move a joint, turn a door, rigidly?                   about, between; cast of a turning body (turn.hpp)
 //     have a ground, a wall?                                HalfSpace (half_space.hpp)
 //     find what is inside what?                             relation; World::relations, bodies_containing
 //     ignore pairs?                                         CollisionFilter, World::set_pair_enabled
@@ -47,6 +48,7 @@
 #include "ecods/rounded.hpp"          // spheres, capsules, and margins around bodies
 #include "ecods/hit.hpp"              // what does a segment or a ray hit?
 #include "ecods/cast.hpp"             // when does a body on the move first meet another?
+#include "ecods/turn.hpp"             // when does a body that turns first meet another?
 #include "ecods/solid.hpp"            // what is inside what, and how deep?
 #include "ecods/half_space.hpp"       // a ground, a wall
 #include "ecods/contact.hpp"          // where do two convex bodies touch, and in which corners?

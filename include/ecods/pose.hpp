@@ -1,4 +1,5 @@
-// A Pose says where a body is. Posed is a thing at a pose, and Moving a thing that moves from one pose to another.
+// A Pose says where a body is. Posed is a thing at a pose, Moving a thing that moves from one pose to another on
+// straight lines, and Turning a thing that moves rigidly.
 //
 // Example: verify/examples/how_do_i, pose_a_body().
 #pragma once
@@ -107,5 +108,51 @@ struct Moving {
 
 template <class T>
 Moving(std::shared_ptr<T>, const Pose&, const Pose&) -> Moving<std::remove_const_t<T>>;
+
+// The quaternion w + x i + y j + z k. It may have any length but zero.
+struct Quaternion {
+    double w = 1, x = 0, y = 0, z = 0;
+
+    friend bool operator==(const Quaternion&, const Quaternion&) = default;
+};
+
+// The turn by q about a pivot that goes from one point of the world to another. If x = y = z = 0, w must be positive,
+// and the body glides without turning.
+struct Turn {
+    Quaternion q;
+    Vec3 pivot_from = Vec3::Zero();
+    Vec3 pivot_to = Vec3::Zero();
+
+    friend bool operator==(const Turn& a, const Turn& b) {
+        return a.q == b.q && a.pivot_from == b.pivot_from && a.pivot_to == b.pivot_to;
+    }
+};
+
+// Throws InvalidArgument (Argument::turn) if a number is not finite: "q.w", "q.x", "pivot_from(0)", "pivot_to(2)"; and
+// if the quaternion is zero, or w < 0 and x = y = z = 0, which is a whole turn and has no axis: "q".
+ECODS_API void validate(const Turn& turn);
+
+// A thing that is at a pose at time 0, and then turns. It has copies of pose and turn, and refers to or keeps the thing
+// as Posed does.
+template <class T>
+struct Turning {
+    Turning(const T& thing, const Pose& start, const Turn& motion) : what(&thing), pose(start), turn(motion) {}
+    Turning(const T&& thing, const Pose& start, const Turn& motion) = delete;  // a temporary, which would be gone
+
+    // Throws InvalidArgument for a null pointer.
+    template <std::derived_from<T> Derived>
+    Turning(std::shared_ptr<Derived> thing, const Pose& start, const Turn& motion)
+        : what(thing.get()), pose(start), turn(motion), kept(std::move(thing)) {
+        if (what == nullptr) refuse_null_thing();
+    }
+
+    const T* what;  // never null
+    Pose pose;
+    Turn turn;
+    std::shared_ptr<const T> kept;  // null where the thing is referred to
+};
+
+template <class T>
+Turning(std::shared_ptr<T>, const Pose&, const Turn&) -> Turning<std::remove_const_t<T>>;
 
 }  // namespace ecods

@@ -282,7 +282,7 @@ class ECODS_API World {
                                                 const Ask& ask = {}) const;
     [[nodiscard]] std::vector<BodyHit> all_hits(const Ray& ray, std::optional<CollisionFilter> filter = {},
                                                 const Ask& ask = {}) const;
-    // Return all_hits() of each line, in their order. The error's `index` says which line is not valid.
+    // Return all_hits() of each line. The error's `index` says which line is not valid.
     [[nodiscard]] BodyHitLists all_hits(std::span<const Segment> segments, std::optional<CollisionFilter> filter = {},
                                         const Ask& ask = {}) const;
     [[nodiscard]] BodyHitLists all_hits(std::span<const Ray> rays, std::optional<CollisionFilter> filter = {},
@@ -294,16 +294,13 @@ class ECODS_API World {
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
-    // Returns the body that the subject goes into first, translated in the same way; nullopt if it goes into none
-    // (entering() in cast.hpp; bodies are compared by their rounded times; of equal ones the least id). Throws
-    // InvalidArgument; NotSupported unless the subject and all bodies that it may meet are surfaces, or all are solids
-    // with inner points. Cost: a pass over the bodies, and the cost of entering() for those on the way. A trace does
-    // not hold this question.
+    // Returns the body that the subject, so translated, goes into first (entering() in cast.hpp), by rounded times,
+    // then ids. Throws NotSupported unless it and all bodies that it may meet are surfaces, or all are solids with
+    // inner points. Cost: a pass over the bodies, and entering() of those on the way. No trace has it.
     [[nodiscard]] std::optional<BodyEntry> entering(const Asked& subject, const Vec3& motion,
                                                     const Ask& ask = {}) const;
 
-    // Returns the point and the normal of a contact that cast(subject, motion) returned, as contact.hpp says, and
-    // throws the same errors; NotSupported if one of the two is no mesh or solid.
+    // Returns the point and normal of a contact that cast(subject, motion) returned (contact.hpp, with its errors).
     [[nodiscard]] ContactPoint contact_point(const Asked& subject, const Vec3& motion, const BodyContact& contact,
                                              const Ask& ask = {}) const;
 

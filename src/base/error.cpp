@@ -245,6 +245,19 @@ InvalidArgument invalid_motion(int axis, double value) {
     return {"motion: " + bad_coordinate(axis, value), Argument::motion, coordinate("", axis), value};
 }
 
+InvalidArgument invalid_turn(const std::string& part, double value) {
+    return {"turn: " + part + " is " + text(value) + ", which is not allowed", Argument::turn, part, value};
+}
+
+InvalidArgument whole_turn(double w) {
+    return {w < 0 ? "turn: a whole turn has no axis; turn twice" : std::string("turn: the quaternion is zero"),
+            Argument::turn, "q", w};
+}
+
+InvalidArgument no_rotation_between() {
+    return {"the two poses do not differ by a rotation: one of them mirrors, shears or is singular", Argument::pose};
+}
+
 InvalidArgument invalid_center(int axis, double value) {
     return {"ball: center, " + bad_coordinate(axis, value), Argument::ball, coordinate("center", axis), value};
 }

@@ -38,6 +38,9 @@ InvalidArgument no_direction();
 InvalidArgument invalid_max_parameter(double value);
 InvalidArgument invalid_point(int axis, double value);
 InvalidArgument invalid_motion(int axis, double value);
+InvalidArgument invalid_turn(const std::string& part, double value);
+InvalidArgument whole_turn(double w);
+InvalidArgument no_rotation_between();
 InvalidArgument invalid_center(int axis, double value);  // about a ball, like the next function
 InvalidArgument invalid_radius(double value);
 InvalidArgument invalid_normal(int axis, double value);  // about a half space, like the next two functions

@@ -1,5 +1,8 @@
 // Arguments of public functions are checked before use. The errors name the first coordinate that is bad.
+#include <array>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "base/double_key.hpp"
 #include "base/make_error.hpp"
@@ -37,6 +40,23 @@ void validate_motion(const Vec3& motion) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!is_finite(motion[axis])) throw invalid_motion(axis, motion[axis]);
     }
+}
+
+void validate(const Turn& turn) {
+    const Quaternion& q = turn.q;
+    const std::array<std::pair<const char*, double>, 4> components{
+        {{"q.w", q.w}, {"q.x", q.x}, {"q.y", q.y}, {"q.z", q.z}}};
+    for (const auto& [name, value] : components) {
+        if (!is_finite(value)) throw invalid_turn(name, value);
+    }
+    for (const auto& [name, pivot] :
+         {std::pair("pivot_from", &turn.pivot_from), std::pair("pivot_to", &turn.pivot_to)}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (is_finite((*pivot)[axis])) continue;
+            throw invalid_turn(std::string(name) + "(" + std::to_string(axis) + ")", (*pivot)[axis]);
+        }
+    }
+    if (key_of(q.w) <= 0 && key_of(q.x) == 0 && key_of(q.y) == 0 && key_of(q.z) == 0) throw whole_turn(q.w);
 }
 
 void validate(const Segment& segment) {

@@ -4,6 +4,7 @@
 
 #include "base/hash.hpp"
 #include "exact/measure/contact/first_meeting.hpp"
+#include "exact/measure/contact/moving_triangles.hpp"
 #include "exact/point/integer_points.hpp"
 #include "query/cast/triangle_contacts.hpp"
 #include "query/hit/hit_memory.hpp"

@@ -62,6 +62,8 @@ MAKERS = {
     "Circumscribed": lambda: ecods.cylinder(0.1, 1, 3),
     "Posed": lambda: NEAR,
     "Moving": lambda: CUBE.moving(None, turned(1, (1, 2, 3))),
+    "Turn": lambda: ecods.about([0, 0, 1], 0.1, [1, 2, 3]),
+    "Turning": lambda: CUBE.turning(FAR, ecods.Turn([1, 0, 0, 0.5], [0, 0, 0], [0, 0, 1])),
     "Rounded": lambda: ecods.rounded(CUBE, 0.5),
     "HalfSpace": lambda: ecods.HalfSpace([1, 2, 3], -0.5),
     "PosedHalfSpace": lambda: ecods.HalfSpace([0, 0, 1], 2).at(FAR),

@@ -260,6 +260,23 @@ def test_flat_convex_solids():
     assert world.colliding_pairs().tolist() == [[first, second]]
 
 
+def test_turns():
+    point, target = (ecods.point_cloud([at]) for at in ((5, 0, 0), (3, 4, 0)))
+    half = ecods.Turn((0, 0, 0, 1), (0, 0, 0), (0, 0, 0))
+    contact = ecods.cast(point.turning(None, half), target)
+    assert contact.time == 1 / 3 and contact.kind == ecods.ClosestKind.vertex_vertex
+    assert ecods.cast(ecods.Turning(point, None, half), target, max_time=0.25) is None
+    assert ecods.cast(point.turning(None, half), [0, 0, 3], target.at(ecods.pose(t=(0, 0, -1)))).time == 1 / 3
+    assert ecods.angle_at(half, 0.5) == np.pi / 2 and ecods.time_at(half, np.pi / 2) == 0.5
+    quarter = ecods.about([0, 0, 2], np.pi / 2, [1, 0, 0])
+    end = ecods.pose_at(None, quarter, 1)
+    assert np.allclose(end, [[0, -1, 0, 1], [1, 0, 0, -1], [0, 0, 1, 0], [0, 0, 0, 1]])
+    back = ecods.between(None, end, [1, 0, 0])
+    assert np.allclose(back.q, quarter.q) and ecods.end_gap(point, None, back, end) < 1e-14
+    with pytest.raises(ecods.InvalidArgument, match="a whole turn has no axis; turn twice"):
+        ecods.Turn((-1, 0, 0, 0), (0, 0, 0), (0, 0, 0))
+
+
 def test_pairs_without_a_world():
     a, b = mesh(), mesh().at(at(1))
     assert [len(x.corners) for x in ecods.intersections(a, b)] and ecods.self_intersections(a).shape == (0, 2)

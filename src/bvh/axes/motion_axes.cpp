@@ -11,7 +11,18 @@ void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_fr
     if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) {
         return call_widest<ECODS_OF_EACH_SET(bind_motion_sets)>(sets_, a, b, d_from, d_to);
     }
-    // An unbounded tree is never proven apart from anything.
+    set_unbounded();
+}
+
+void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to, double margin) {
+    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) {
+        return call_widest<ECODS_OF_EACH_SET(bind_near_motion_sets)>(sets_, a, b, d_from, d_to, margin);
+    }
+    set_unbounded();
+}
+
+// An unbounded tree is never proven apart from anything.
+void MotionAxes::set_unbounded() noexcept {
     for (MotionSet& set : sets_) {
         set = {};
         set.start.set_unbounded();

@@ -12,7 +12,11 @@
 // The sets of axes are those of separating_axes.hpp, with its bounds. Each set exists twice, with the same axes: for
 // the poses at the start and at the end. Coordinates are relative to the first body's translation, which moves
 // linearly, too.
+//
+// A margin is a distance in the world. On the axis n it is |n| times as large, with |n| as computed: off by 2.5 u', and
+// by three roundings more. 1 + 2^-22 covers these, and the last conversion to a float.
 // Claim: verify/proofs/motion_chords.md
+// Claim: verify/proofs/turn_pieces.md
 #pragma once
 
 #include <array>
@@ -38,10 +42,14 @@ class MotionAxes {
   public:
     // Binds two moving trees. d_from and d_to are fl(t_b - t_a) at the start and at the end.
     void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to);
+    // Binds two trees whose bodies are at all times within `margin` of such a motion: it enlarges the boxes of b.
+    void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to, double margin);
 
     const std::array<MotionSet, 2>& sets() const noexcept { return sets_; }
 
   private:
+    void set_unbounded() noexcept;
+
     std::array<MotionSet, 2> sets_;
 };
 

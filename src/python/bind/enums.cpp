@@ -101,7 +101,7 @@ void bind_enums(py::module_& m) {
                            {"open_edge", "self_intersection", "dent", "no_interior"});
     make<Argument>(m, "Argument", "The argument that InvalidArgument is about.",
                    {"pose", "box", "segment", "ray", "point", "motion", "ball", "half_space", "distance", "time",
-                    "list_length", "null", "mesh_and_shape", "size", "count", "polygon"});
+                    "list_length", "null", "mesh_and_shape", "size", "count", "polygon", "turn"});
 }
 
 }  // namespace ecods::python

@@ -26,7 +26,7 @@ struct type_caster<ecods::PartEnd> : ecods_enum_caster<ecods::PartEnd> {
 namespace ecods::python {
 namespace {
 
-void add_records(py::module_& m) {
+void add_side_records(py::module_& m) {
     add_record(m, "SidedHit", "A hit with its normal, and where the line is beside it.",
                Field{"hit", &SidedHit::hit, "The Hit."},
                Field{"before", &SidedHit::before, "Side of the line just before the hit's parameter."},
@@ -43,7 +43,7 @@ void add_records(py::module_& m) {
 }
 
 template <class Line>
-void add_questions(py::module_& m) {
+void add_side_questions(py::module_& m) {
     m.def(
         "sided_hits", asked<Line, PosedMesh>(ECODS_QUESTION(sided_hits)), py::arg("line"), py::arg("body"),
         "all_hits() of a Segment or Ray, each with its normal, and with where the line is just before and after it: a "
@@ -66,9 +66,9 @@ void add_questions(py::module_& m) {
 }  // namespace
 
 void bind_hit_sides(py::module_& m) {
-    add_records(m);
-    add_questions<Segment>(m);
-    add_questions<Ray>(m);
+    add_side_records(m);
+    add_side_questions<Segment>(m);
+    add_side_questions<Ray>(m);
 }
 
 }  // namespace ecods::python

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_ecods, m) {
     bind_builders(m);
     bind_results(m);
     bind_pair_questions(m);
+    bind_turns(m);
     bind_line_questions(m);
     bind_solid_questions(m);
     bind_hit_sides(m);

@@ -3,6 +3,7 @@
 #include "ecods/cast.hpp"
 
 #include "base/limits.hpp"
+#include "ecods/turn.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/body/contained.hpp"
 #include "query/cast/cast_until.hpp"
@@ -49,6 +50,27 @@ std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<MeshSh
         return cast_until(Moving<MeshShape>(*x.what, a.from, a.to), Moving<MeshShape>(*y.what, b.from, b.to), latest,
                           asking.memory(), asking.witness());
     });
+}
+
+std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Posed<MeshShape>& b, double max_time,
+                                 const Ask& ask) {
+    return cast(a, Vec3::Zero(), b, max_time, ask);
+}
+
+std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Vec3& motion_of_b, const Posed<MeshShape>& b,
+                                 double max_time, const Ask& ask) {
+    const double latest = require_time(max_time);
+    validate(a.turn);
+    validate_motion(motion_of_b);
+    Asking asking(ask);
+    const auto cast = [&](const Turning<MeshShape>& x, const Posed<MeshShape>& y) {
+        return cast_until(x, motion_of_b, y, latest, asking.memory(), asking.witness());
+    };
+    if (are_surfaces(*a.what, *b.what)) return cast(a, b);
+    return cast_boundaries({{*a.what, a.pose}, b}, asking.memory(),
+                           [&](const Posed<MeshShape>& x, const Posed<MeshShape>& y) {
+                               return cast(Turning<MeshShape>(*x.what, a.pose, a.turn), y);
+                           });
 }
 
 }  // namespace ecods

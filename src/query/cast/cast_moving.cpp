@@ -25,8 +25,9 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
     MovingQuestion& question = working.question;
     QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
     ++counts.queries;
-    question.bind_boxes(a, b);
-    const std::optional<float> first = question.first_of_boxes();
+    StraightMotion& motion = question.motion();
+    motion.bind_boxes(a, b);
+    const std::optional<float> first = motion.first_of_boxes();
     if (!first) return std::nullopt;
     const OtherUnits units(a, b);
     if (units.are_better()) {
@@ -39,7 +40,8 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
         return contact_at_start(start_a, start_b, memory);
     }
     if (is_at_rest(a) && is_at_rest(b)) return std::nullopt;
-    question.bind_pairs(a, b, latest, counts.casts);
+    motion.bind(a, b, counts.casts);
+    question.start(latest);
     const MeshPair bodies{MeshBody(start_a), MeshBody(start_b)};
     Search(bodies, working, memory).run({.at_most = latest}, bodies.named_by(witness));
     const auto contact = first_contact(working.sieve, [](const auto&) { return std::optional<FirstContact>(); });

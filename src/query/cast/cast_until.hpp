@@ -15,6 +15,8 @@ std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& mo
                                        double latest, QueryMemory& memory, PairWitness& witness);
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness);
+std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Vec3& motion_of_b, const Posed<MeshShape>& b,
+                                       double latest, QueryMemory& memory, PairWitness& witness);
 
 // Returns the contact at time 0 of bodies that share a point before they move. Call only if they do. The work is
 // counted as a part of the query that calls it.

@@ -10,7 +10,8 @@
 
 namespace ecods {
 
-// What a search for the first entry must know of solids. Triangles are those of the two meshes that are searched.
+// SlidingEdges says what a search for the first entry must know of solids. Triangles are those of the two meshes that
+// are searched.
 class SlidingEdges {
   public:
     virtual ~SlidingEdges() = default;

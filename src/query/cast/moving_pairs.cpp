@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "base/arithmetic.hpp"
 #include "base/double_key.hpp"
 #include "base/next.hpp"
-#include "exact/measure/contact/possible_features.hpp"
-#include "exact/measure/distance/name_features.hpp"
+#include "exact/measure/contact/moving_triangles.hpp"
 
 namespace ecods {
 namespace {
-
-FeatureKey key_on(const exact::FeaturePair& pair, std::size_t side, const Mesh& mesh, std::uint32_t triangle) {
-    return feature_key(exact::feature_of(pair, side, triangle), mesh.triangles()[triangle]);
-}
 
 // The ends of the first two time intervals that bound_at_beginning() searches. Both are powers of two; the first is the
 // least normal number.
@@ -115,56 +109,8 @@ auto MovingPairs::ask_exactly(const TrianglePair& triangles, Function&& ask) {
     });
 }
 
-// Decides exactly in some short time spans from the bound on, in which few features can meet; if these do not suffice,
-// for all times. If the points are far from their mesh's origin, the bound may end before the meeting because of the
-// points' errors. So each span tried is longer than the one before.
 std::optional<exact::Meeting> MovingPairs::decide(const TrianglePair& triangles, exact::TimeSpan time, double to) {
-    constexpr std::array<double, 3> lengths{0x1p-44, 0x1p-36, 0x1p-28};  // relative to time.to
-    const exact::MovingPoints points = points_of(triangles);
-    for (const double length : lengths) {
-        time.to = std::min(1.0, std::max(time.to, time.from + length * time.to));
-        const auto cells = exact::cells_around(time);
-        if (!cells) break;
-        const exact::TimeSpan span = cells->span();
-        const exact::FeatureSet features = exact::possible_features(points, span);
-        const bool is_one = std::has_single_bit(features);
-        FeatureKey a, b;
-        if (is_one) {
-            const exact::FeaturePair& pair = exact::feature_pairs[static_cast<std::size_t>(std::countr_zero(features))];
-            a = key_on(pair, 0, a_->what->mesh(), triangles.a);
-            b = key_on(pair, 1, b_->what->mesh(), triangles.b);
-            if (const KnownMeeting* known = find_known(a, b, span)) {
-                return exact::Meeting{known->time, known->is_late, pair};
-            }
-        }
-        if (features != 0) {
-            const exact::PartialAnswer answer = ask_exactly(triangles, [&](exact::MovingTriangles& moving) {
-                return exact::first_meeting_in(moving, *cells, features);
-            });
-            if (!answer.is_known) break;
-            if (answer.meeting && is_one) known_.push_back({a, b, answer.meeting->time, answer.meeting->is_late});
-            if (answer.meeting) return answer.meeting;
-        }
-        if (key_of(span.to) >= key_of(to)) return std::nullopt;
-        ++counts_->enclosures;
-        const auto next = exact::bound_first_meeting(points, span.to, to, exact::Effort::fine);
-        if (!next) return std::nullopt;
-        time = *next;
-    }
-    return ask_exactly(triangles, [](exact::MovingTriangles& moving) { return exact::first_meeting(moving); });
-}
-
-// Returns the known meeting of features a and b if it certainly is within `time`; otherwise null. The known time is
-// rounded, so both of its neighbors must be within `time`.
-const MovingPairs::KnownMeeting* MovingPairs::find_known(const FeatureKey& a, const FeatureKey& b,
-                                                         const exact::TimeSpan& time) const {
-    for (const KnownMeeting& known : known_) {
-        if (known.a == a && known.b == b && key_of(next_down(known.time)) >= key_of(time.from) &&
-            key_of(next_up(known.time)) <= key_of(time.to)) {
-            return &known;
-        }
-    }
-    return nullptr;
+    return MeetingDecision(*this, known_, triangles).decide(time, to);
 }
 
 }  // namespace ecods

@@ -4,13 +4,12 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "ecods/cast.hpp"
 #include "exact/measure/contact/bound_meeting.hpp"
-#include "exact/measure/contact/first_meeting.hpp"
 #include "exact/point/frame.hpp"
 #include "query/cast/contact_interval.hpp"
+#include "query/cast/decide_meeting.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
@@ -29,27 +28,21 @@ class MovingPairs {
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 
   private:
-    // Stores when features a and b first share a point. It is stored only if the triangles that have them cannot meet,
-    // in the time span searched, in any other features. So all triangles with this property first meet at this time.
-    struct KnownMeeting {
-        FeatureKey a, b;
-        double time;   // rounded once
-        bool is_late;  // true if the exact time is above `time`
-    };
+    friend class MeetingDecision<MovingPairs>;
+    const Mesh& mesh(std::size_t side) const noexcept { return (side == 0 ? a_ : b_)->what->mesh(); }
+    exact::MovingPoints points_of(const TrianglePair& triangles);
+    template <class Function>
+    auto ask_exactly(const TrianglePair& triangles, Function&& ask);
 
     std::optional<exact::TimeSpan> bound_at_beginning(const exact::MovingPoints& points, double from, double to,
                                                       exact::Effort effort);
     std::array<exact::VertexRef, 12> corners_of(const TrianglePair& triangles) const;  // at the start, then at the end
-    exact::MovingPoints points_of(const TrianglePair& triangles);
-    template <class Function>
-    auto ask_exactly(const TrianglePair& triangles, Function&& ask);
-    const KnownMeeting* find_known(const FeatureKey& a, const FeatureKey& b, const exact::TimeSpan& time) const;
 
     const Moving<MeshShape>* a_ = nullptr;
     const Moving<MeshShape>* b_ = nullptr;
     CastCounts* counts_ = nullptr;
     exact::Frame frame_;  // bodies 0 and 1: a and b at the start; 2 and 3: a and b at the end
-    std::vector<KnownMeeting> known_;
+    KnownMeetings known_;
 };
 
 }  // namespace ecods

@@ -82,17 +82,25 @@ OtherUnits::OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b) {
                                  std::max(size_of(*b.what, b.from), size_of(*b.what, b.to)));
     if (size > least && size < most) [[likely]]
         return;
-    choose({Body{a.what, {&a.from, &a.to}}, Body{b.what, {&b.from, &b.to}}}, Vec3::Zero());
+    choose({Body{a.what, {&a.from, &a.to}}, Body{b.what, {&b.from, &b.to}}}, {});
 }
 
 OtherUnits::OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion) {
     const double size = std::max(size_of(*a.what, a.pose), size_of(*b.what, b.pose));
     if (size > least && size < most) [[likely]]
         return;
-    choose({Body{a.what, {&a.pose, &a.pose}}, Body{b.what, {&b.pose, &b.pose}}}, motion);
+    choose({Body{a.what, {&a.pose, &a.pose}}, Body{b.what, {&b.pose, &b.pose}}}, {&motion});
 }
 
-void OtherUnits::choose(const std::array<Body, 2>& bodies, const Vec3& motion) {
+OtherUnits::OtherUnits(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b) {
+    const double size = std::max(size_of(*a.what, a.pose), size_of(*b.what, b.pose));
+    if (size > least && size < most) [[likely]]
+        return;
+    choose({Body{a.what, {&a.pose, &a.pose}}, Body{b.what, {&b.pose, &b.pose}}},
+           {&a.turn.pivot_from, &a.turn.pivot_to, &motion});
+}
+
+void OtherUnits::choose(const std::array<Body, 2>& bodies, std::initializer_list<const Vec3*> vectors) {
     int exponent = 2 * exact::exponent_of_zero;
     for (const Body& body : bodies) {
         const int of_mesh = exponent_of(*body.shape);
@@ -100,7 +108,7 @@ void OtherUnits::choose(const std::array<Body, 2>& bodies, const Vec3& motion) {
     }
     if (is_moderate(exponent) || exponent < exact::exponent_of_zero / 2) return;
     exponent_ = -exponent;
-    const bool can = can_scale_all(motion, exponent_) &&
+    const bool can = std::ranges::all_of(vectors, [&](const Vec3* v) { return can_scale_all(*v, exponent_); }) &&
                      std::ranges::all_of(bodies, [&](const Body& body) { return can_scale(body); });
     if (!can) exponent_ = 0;
 }
@@ -127,6 +135,12 @@ Posed<MeshShape> OtherUnits::of(const Posed<MeshShape>& body) const {
 
 Moving<MeshShape> OtherUnits::of(const Moving<MeshShape>& body) const {
     return {own_mesh(*body.what), pose_of(*body.what, body.from), pose_of(*body.what, body.to)};
+}
+
+Turning<MeshShape> OtherUnits::of(const Turning<MeshShape>& body) const {
+    const Turn& turn = body.turn;
+    return {own_mesh(*body.what), pose_of(*body.what, body.pose),
+            Turn{turn.q, scaled_all(turn.pivot_from, exponent_), scaled_all(turn.pivot_to, exponent_)}};
 }
 
 Vec3 OtherUnits::of(const Vec3& motion) const noexcept {

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 
 #include "ecods/pose.hpp"
 #include "ecods/shape.hpp"
@@ -19,10 +20,12 @@ namespace ecods {
 
 class OtherUnits {
   public:
-    // Chooses units for two bodies at all the given poses, and for a vector by which one of them is moved. Cost: some
+    // Chooses units for two bodies at all the given poses, and for a vector by which one of them is moved, or the
+    // pivot of its turn. Cost: some
     // tens of nanoseconds.
     OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion = Vec3::Zero());
+    OtherUnits(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b);
 
     // True if a query should use these units, each of which is 2^-e times a usual unit.
     bool are_better() const noexcept { return exponent_ != 0; }
@@ -31,6 +34,7 @@ class OtherUnits {
     // tree.
     Posed<MeshShape> of(const Posed<MeshShape>& body) const;
     Moving<MeshShape> of(const Moving<MeshShape>& body) const;
+    Turning<MeshShape> of(const Turning<MeshShape>& body) const;
     Vec3 of(const Vec3& motion) const noexcept;
 
   private:
@@ -39,7 +43,8 @@ class OtherUnits {
         std::array<const Pose*, 2> poses;
     };
 
-    void choose(const std::array<Body, 2>& bodies, const Vec3& motion);
+    // Chooses units for bodies, and for vectors in the world.
+    void choose(const std::array<Body, 2>& bodies, std::initializer_list<const Vec3*> vectors);
     bool can_scale(const Body& body) const;
     Pose pose_of(const MeshShape& shape, const Pose& pose) const;
 

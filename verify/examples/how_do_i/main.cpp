@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -49,6 +50,17 @@ void cast_on_its_way() {
     const auto cube = unit_cube();
     const auto contact = cast({cube, {.t = {0, 0, 5}}}, Vec3(0, 0, -8), {cube, Pose{}});
     if (contact) fmt::print("cast on its way: meets at time {}\n", contact->time);
+}
+
+// A rod turns by a quarter about its end, as a joint of a robot does. If each of its points went straight, it would be
+// shorter on its way, and miss the post.
+void turn_past_a_post() {
+    const auto rod = box({2, 0.125, 0.125}), post = box({0.125, 0.125, 1});
+    const Turn turn = about({0, 0, 1}, std::numbers::pi / 2, Vec3::Zero());
+    const auto contact = cast({rod, {.t = {1, 0, 0}}, turn}, {post, {.t = {1.25, 1.25, 0}}});
+    if (!contact) return;
+    fmt::print("turn past a post: meets after {:.2f} of 90 degrees\n",
+               angle_at(turn, contact->time) * 180 / std::numbers::pi);
 }
 
 void world_with_events() {
@@ -234,6 +246,7 @@ int main() {
     distance_with_points();
     ray();
     cast_on_its_way();
+    turn_past_a_post();
     world_with_events();
     nearest_body();
     inside_a_solid();

@@ -10,6 +10,7 @@
 #include "environment/float_mode.hpp"
 #include "environment/instruction_sets.hpp"
 #include "exact/measure/contact/bound_meeting.hpp"
+#include "exact/measure/contact/moving_triangles.hpp"
 #include "exact/point/integer_points.hpp"
 #include "scenes/random.hpp"
 

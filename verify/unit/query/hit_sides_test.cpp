@@ -18,7 +18,7 @@
 #include "unit/query/lattice_line.hpp"
 #include "unit/query/solid_soup.hpp"
 
-namespace ecods {
+namespace ecods::hit_sides_test {
 namespace {
 
 using Number = LatticeLine::Number;
@@ -300,4 +300,4 @@ TEST_P(LatticeLines, AreOnTheSidesOfTheCells) {
 INSTANTIATE_TEST_SUITE_P(MergedFaces, LatticeLines, testing::Bool());
 
 }  // namespace
-}  // namespace ecods
+}  // namespace ecods::hit_sides_test

@@ -74,52 +74,107 @@ ECODS_ALWAYS_INLINE double above(double sum) noexcept {
     return next_up(next_up(sum + 0x1p-1000));
 }
 
+// A motion of corners, as the search sees it. `At` holds the corners at one time, and the factors of their error bound
+// on each axis. A `Chord` is the straight motion between two times: widened(error) is the error bound that its gaps
+// need to be lower bounds of the true ones; earliest() and latest() return the part of the time at which the part `way`
+// of the chord is reached.
+class Straight {
+  public:
+    struct At {
+        Points<6> points;
+        Point error;
+    };
+    struct Chord {
+        ECODS_ALWAYS_INLINE static const Point& widened(const Point& error) noexcept { return error; }
+        ECODS_ALWAYS_INLINE static double earliest(double way) noexcept { return way; }
+        ECODS_ALWAYS_INLINE static double latest(double way) noexcept { return way; }
+    };
+
+    ECODS_ALWAYS_INLINE explicit Straight(const MovingPoints& points) noexcept : corners_(points) {}
+    ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return corners_.is_bounded(); }
+    ECODS_ALWAYS_INLINE At at(double s) const noexcept { return {corners_.at(s), corners_.error_at(s)}; }
+    ECODS_ALWAYS_INLINE static Chord chord(const At&, const At&) noexcept { return {}; }
+
+  private:
+    MovingCorners corners_;
+};
+
+class Turned {
+  public:
+    using At = TurningCorners::At;
+    struct Chord {
+        TurnPiece piece;
+        double margin;
+
+        // The margin is a length, which is at most the sum of magnitudes of its coordinates.
+        ECODS_ALWAYS_INLINE Point widened(const Point& error) const noexcept {
+            return {error[0] + margin, error[1] + margin, error[2] + margin};
+        }
+        ECODS_ALWAYS_INLINE double earliest(double way) const noexcept { return piece.earliest(way); }
+        ECODS_ALWAYS_INLINE double latest(double way) const noexcept { return piece.latest(way); }
+    };
+
+    ECODS_ALWAYS_INLINE explicit Turned(const TurningPoints& points) noexcept : corners_(points) {}
+    ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return corners_.is_bounded(); }
+    ECODS_ALWAYS_INLINE At at(double s) const noexcept { return corners_.at(s); }
+    ECODS_ALWAYS_INLINE Chord chord(const At& from, const At& to) const noexcept {
+        const TurnPiece piece = TurnAngles::piece(from.half, to.half);
+        return {piece, corners_.margin(piece, to.half.time - from.half.time)};
+    }
+
+  private:
+    TurningCorners corners_;
+};
+
+template <class Motion>
 class Bounds {
   public:
-    ECODS_ALWAYS_INLINE explicit Bounds(const MovingPoints& points) noexcept : corners_(points) {}
+    using At = typename Motion::At;
+    using Chord = typename Motion::Chord;
+
+    template <class MotionPoints>
+    ECODS_ALWAYS_INLINE explicit Bounds(const MotionPoints& points) noexcept : motion_(points) {}
 
     ECODS_ALWAYS_INLINE std::optional<TimeSpan> first(double from, double to, int step_count) const noexcept {
-        if (!corners_.is_bounded()) return TimeSpan{from, to};
+        if (!motion_.is_bounded()) return TimeSpan{from, to};
         std::array<double, step_max> later;  // ends of the intervals to be searched later; the next one is last
         std::size_t later_count = 0;
         double end = to;  // end of the interval that is being shortened
         int halvings = 1;
-        Corners at_from(corners_, from), at_to(corners_, to);
+        At at_from = motion_.at(from), at_to = motion_.at(to);
         for (int step = 0; step < step_count; ++step) {
-            const Part part = remaining(at_from, at_to);
+            const Chord chord = motion_.chord(at_from, at_to);
+            const Part part = remaining(at_from, at_to, chord);
             if (part.first > part.last) {
                 if (later_count == 0) return std::nullopt;
                 from = end;
                 to = end = later[--later_count];
                 halvings = std::max(1, halvings / 2);
-                at_from = {corners_, from};
-                at_to = {corners_, to};
+                at_from = motion_.at(from);
+                at_to = motion_.at(to);
                 continue;
             }
             const double length = to - from;
-            const double first = std::max(from, next_down(from + length * part.first));
-            const double last = part.last < 1 ? std::min(to, above(from + length * part.last)) : to;
+            const double first = std::max(from, next_down(from + length * chord.earliest(part.first)));
+            const double last = part.last < 1 ? std::min(to, above(from + length * chord.latest(part.last))) : to;
             if (!(first <= last)) return TimeSpan{from, to};
-            if (first > from) at_from = {corners_, first};
+            if (first > from) at_from = motion_.at(first);
             from = first;
             to = last;
             if (to - from <= length_min * to) return TimeSpan{from, to};
             later[later_count++] = end;
             to = end = std::min(to, next_up(from + std::ldexp(to - from, -halvings)));
-            at_to = {corners_, to};
+            at_to = motion_.at(to);
             halvings = std::min(2 * halvings, halvings_max);
         }
         return TimeSpan{from, to};
     }
 
   private:
-    // Holds the corners at one time, and the factors of their error bound on each axis.
-    struct Corners {
-        Points<6> points;
+    // Holds the corners at one end of an interval, with the error bound of gaps of its chord.
+    struct End {
+        const Points<6>& points;
         Point error;
-
-        ECODS_ALWAYS_INLINE Corners(const MovingCorners& corners, double s) noexcept
-            : points(corners.at(s)), error(corners.error_at(s)) {}
 
         ECODS_ALWAYS_INLINE Double4 bound(const Four& n) const noexcept {
             return ((absolute(n[0]) * error[0] + absolute(n[1]) * error[1]) + absolute(n[2]) * error[2]) +
@@ -127,7 +182,7 @@ class Bounds {
         }
     };
 
-    ECODS_ALWAYS_INLINE static void shorten_by(const Four& n, const Corners& p, const Corners& q, Part& part) noexcept {
+    ECODS_ALWAYS_INLINE static void shorten_by(const Four& n, const End& p, const End& q, Part& part) noexcept {
         const Ends before(n, p.points), after(n, q.points);
         const Double4 bound_before = p.bound(n), bound_after = q.bound(n);
         shorten(part, (before.low_b - before.high_a) - bound_before, (after.low_b - after.high_a) - bound_after);
@@ -151,7 +206,8 @@ class Bounds {
 
     // Returns the part of the interval in which the triangles may share a point. It is shortened by the normals of the
     // faces and the cross products of edges, as they are at the beginning of the interval.
-    ECODS_ALWAYS_INLINE static Part remaining(const Corners& from, const Corners& to) noexcept {
+    ECODS_ALWAYS_INLINE static Part remaining(const At& at_from, const At& at_to, const Chord& chord) noexcept {
+        const End from{at_from.points, chord.widened(at_from.error)}, to{at_to.points, chord.widened(at_to.error)};
         const Points<6> p = without_small(from.points);
         const auto [a, b] = edges_of(p);
         const Point normal_a = cross(a[0], a[1]), normal_b = cross(b[0], b[1]);
@@ -169,19 +225,29 @@ class Bounds {
         return part;
     }
 
-    MovingCorners corners_;
+    Motion motion_;
 };
 
-ECODS_ALWAYS_INLINE std::optional<TimeSpan> find_bound(const MovingPoints& points, double from, double to,
+template <class Motion, class MotionPoints>
+ECODS_ALWAYS_INLINE std::optional<TimeSpan> find_bound(const MotionPoints& points, double from, double to,
                                                        int step_count) noexcept {
-    return Bounds(points).first(from, to, step_count);
+    return Bounds<Motion>(points).first(from, to, step_count);
+}
+
+int steps_of(Effort effort) noexcept {
+    return effort == Effort::coarse ? coarse_step_max : step_max;
 }
 
 }  // namespace
 
 std::optional<TimeSpan> bound_first_meeting(const MovingPoints& points, double from, double to,
                                             Effort effort) noexcept {
-    return dispatch<find_bound>(points, from, to, effort == Effort::coarse ? coarse_step_max : step_max);
+    return dispatch<find_bound<Straight, MovingPoints>>(points, from, to, steps_of(effort));
+}
+
+std::optional<TimeSpan> bound_first_meeting(const TurningPoints& points, double from, double to,
+                                            Effort effort) noexcept {
+    return dispatch<find_bound<Turned, TurningPoints>>(points, from, to, steps_of(effort));
 }
 
 }  // namespace ecods::exact

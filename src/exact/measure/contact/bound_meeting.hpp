@@ -9,11 +9,16 @@
 // concave, too. So several vectors n shorten an interval of time from both ends; if nothing remains, the triangles do
 // not meet in the interval. An interval that is not shortened by half is split in halves. moving_points.hpp derives the
 // error bound that is subtracted from a gap.
+//
+// For a triangle that turns, the chord between two times is that of a straight motion which is near the turn
+// (turning_points.hpp): a margin is subtracted from its gaps, and its times are bounded. The margin falls as the square
+// of the interval's length.
 #pragma once
 
 #include <optional>
 
 #include "exact/measure/contact/moving_points.hpp"
+#include "exact/measure/contact/turning_points.hpp"
 
 namespace ecods::exact {
 
@@ -24,5 +29,7 @@ namespace ecods::exact {
 // With coarse effort the part is usually longer, and begins earlier.
 enum class Effort { coarse, fine };
 std::optional<TimeSpan> bound_first_meeting(const MovingPoints& points, double from, double to, Effort effort) noexcept;
+std::optional<TimeSpan> bound_first_meeting(const TurningPoints& points, double from, double to,
+                                            Effort effort) noexcept;
 
 }  // namespace ecods::exact

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "base/assert.hpp"
+#include "exact/measure/contact/moving_triangles.hpp"
 
 namespace ecods::exact {
 namespace {
 
 class MeetingSearch {
   public:
-    MeetingSearch(MovingTriangles& triangles, FeatureSet features, const TimeCells* cells)
+    MeetingSearch(RelativePosition& triangles, FeatureSet features, const TimeCells* cells)
         : triangles_(triangles), features_(features), cells_(cells) {}
 
     PartialAnswer run() {
@@ -92,7 +93,7 @@ class MeetingSearch {
         }
     }
 
-    MovingTriangles& triangles_;
+    RelativePosition& triangles_;
     FeatureSet features_;
     const TimeCells* cells_;  // null: all times in [0, 1]
     bool is_known_ = true;
@@ -101,11 +102,11 @@ class MeetingSearch {
 
 }  // namespace
 
-std::optional<Meeting> first_meeting(MovingTriangles& triangles) {
+std::optional<Meeting> first_meeting(RelativePosition& triangles) {
     return MeetingSearch(triangles, all_features, nullptr).run().meeting;
 }
 
-PartialAnswer first_meeting_in(MovingTriangles& triangles, const TimeCells& cells, FeatureSet features) {
+PartialAnswer first_meeting_in(RelativePosition& triangles, const TimeCells& cells, FeatureSet features) {
     return MeetingSearch(triangles, features, &cells).run();
 }
 

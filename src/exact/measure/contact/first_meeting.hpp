@@ -1,9 +1,9 @@
 // first_meeting computes exactly the first time at which two moving triangles share a point.
 //
-// Take two closed triangles whose corners move on straight lines and which share no point at time 0. Let M be the set
-// of times in [0, 1] at which they share a point. M is closed, since the set of (time, point of one, point of the
-// other) is compact. Let s > 0 be its least element. A triangle without area is the segment or the point that its
-// corners span.
+// Take two closed triangles whose corners move continuously and which share no point at time 0. Let each polynomial of
+// their RelativePosition have a degree of at most 3. Let M be the set of times in [0, 1] at which they share a point. M
+// is closed, since the set of (time, point of one, point of the other) is compact. Let s > 0 be its least element. A
+// triangle without area is the segment or the point that its corners span.
 //
 // 1. At time s a corner of one triangle is in the other closed triangle, or two closed edges share a point. For let x
 // be an extreme point of the intersection, which is convex. The relatively open features of the two triangles that
@@ -31,7 +31,7 @@
 // have met at time 0.
 //
 // The candidates for s are therefore the roots of at most 15 cubics, or, in place of a cubic that is zero, of some
-// quadratics and linear polynomials. At each candidate only the pair that it comes from is tested.
+// other polynomials. At each candidate only the pair that it comes from is tested.
 //
 // All of this remains true if time 0 is replaced by any time up to which the triangles share no point. If only certain
 // features may share a point in an interval that begins there, only pairs P that have such features are tried, and only
@@ -40,8 +40,8 @@
 
 #include <optional>
 
-#include "exact/measure/contact/moving_triangles.hpp"
 #include "exact/measure/contact/possible_features.hpp"
+#include "exact/measure/contact/relative_position.hpp"
 
 namespace ecods::exact {
 
@@ -52,7 +52,7 @@ struct Meeting {
 };
 
 // Returns the first meeting in [0, 1]; nullopt if there is none. The triangles must not share a point at time 0.
-std::optional<Meeting> first_meeting(MovingTriangles& triangles);
+std::optional<Meeting> first_meeting(RelativePosition& triangles);
 
 // An interval of time, from m / 2^bits to (m + count) / 2^bits, which is at most 1.
 struct TimeCells {
@@ -73,6 +73,6 @@ struct PartialAnswer {
 // Finds the first meeting before the end of the cells. The triangles must share no point up to the beginning of the
 // cells, and in the cells only pairs of `features` may share points. If a cell contains several candidates, is_known is
 // false in the result.
-PartialAnswer first_meeting_in(MovingTriangles& triangles, const TimeCells& cells, FeatureSet features);
+PartialAnswer first_meeting_in(RelativePosition& triangles, const TimeCells& cells, FeatureSet features);
 
 }  // namespace ecods::exact

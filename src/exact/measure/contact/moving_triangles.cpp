@@ -3,21 +3,11 @@
 #include "exact/point/vectors.hpp"
 
 namespace ecods::exact {
-namespace {
-
-using Vector = MovingTriangles::Vector;
-
-constexpr std::size_t index_of(const CornerAndEdge& which) {
-    return 9 * which.side + 3 * which.corner + which.edge;
-}
-
-}  // namespace
-
 Polynomial MovingTriangles::difference(std::size_t i, std::size_t j, std::size_t axis) const {
     return corners_[0][i][axis] - corners_[1][j][axis];
 }
 
-const Vector& MovingTriangles::turn(const CornerAndEdge& which) {
+const RelativePosition::Vector& MovingTriangles::turn(const CornerAndEdge& which) {
     std::optional<Vector>& turn = turns_[index_of(which)];
     if (!turn) {
         const Triangle& other = corners_[1 - which.side];

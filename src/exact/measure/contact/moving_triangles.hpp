@@ -6,25 +6,15 @@
 #include <cstdint>
 #include <optional>
 
+#include "exact/measure/contact/relative_position.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
-#include "exact/number/polynomial.hpp"
 #include "exact/number/root.hpp"
 #include "exact/point/integer_points.hpp"
 
 namespace ecods::exact {
 
-// Names corner `corner` of triangle `side`, and the edge of the other triangle that begins at corner `edge`. The first
-// triangle is side 0.
-struct CornerAndEdge {
-    std::size_t side;  // triangle of the corner
-    std::size_t corner;
-    std::size_t edge;
-};
-
-class MovingTriangles {
+class MovingTriangles final : public RelativePosition {
   public:
-    using Vector = std::array<Polynomial, 3>;
-
     // Takes the corners of both triangles at time 0, and then the same corners at time 1.
     template <class Kernel>
     explicit MovingTriangles(const IntegerPoints<Kernel, 12>& points) {
@@ -36,15 +26,10 @@ class MovingTriangles {
         }
     }
 
-    // Returns coordinate `axis` of corner i of the first triangle minus corner j of the second.
-    Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const;
-    // Returns (q - p) x (c - p) for the edge from p to q and the corner c. It is zero if and only if c is on the line
-    // of the edge, or p = q.
-    const Vector& turn(const CornerAndEdge& which);
-    // Return six times the signed volume of four corners: a corner and the other triangle, or an edge of each triangle.
-    // It is zero if and only if the four corners are in one plane.
-    Polynomial corner_volume(std::size_t side, std::size_t corner);
-    Polynomial edge_volume(std::size_t edge_a, std::size_t edge_b) const;
+    Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const override;
+    const Vector& turn(const CornerAndEdge& which) override;
+    Polynomial corner_volume(std::size_t side, std::size_t corner) override;
+    Polynomial edge_volume(std::size_t edge_a, std::size_t edge_b) const override;
 
   private:
     using Triangle = std::array<Vector, 3>;
@@ -57,7 +42,7 @@ class MovingTriangles {
 // Evaluates the relative position of two moving triangles at one time.
 class TrianglesAtRoot {
   public:
-    TrianglesAtRoot(MovingTriangles& triangles, Root& time) noexcept : triangles_(triangles), time_(time) {
+    TrianglesAtRoot(RelativePosition& triangles, Root& time) noexcept : triangles_(triangles), time_(time) {
         orders_.fill(unknown);
         turns_.fill(unknown);
         volumes_.fill(unknown);
@@ -82,7 +67,7 @@ class TrianglesAtRoot {
     bool is_inside_face(std::size_t side, std::size_t corner);
     bool edges_cross(std::size_t edge_a, std::size_t edge_b);
 
-    MovingTriangles& triangles_;
+    RelativePosition& triangles_;
     Root& time_;
     std::array<std::int8_t, 27> orders_;
     std::array<std::int8_t, 54> turns_;

@@ -8,19 +8,32 @@ namespace {
 
 class Sieve {
   public:
-    Sieve(const MovingPoints& points, const TimeSpan& time) noexcept : corners_(points) {
-        if (!corners_.is_bounded()) return;
+    Sieve(const MovingPoints& points, const TimeSpan& time) noexcept {
+        const MovingCorners corners(points);
+        is_bounded_ = corners.is_bounded();
+        if (!is_bounded_) return;
         const double length = time.to - time.from;
-        p_ = corners_.at(time.from + 0.5 * length);
-        const Point way = corners_.way();
-        for (std::size_t k = 0; k < 3; ++k) error_[k] = corners_.error()[k] + 2.25 * length * way[k];
+        p_ = corners.at(time.from + 0.5 * length);
+        const Point way = corners.way();
+        for (std::size_t k = 0; k < 3; ++k) error_[k] = corners.error()[k] + 2.25 * length * way[k];
+        edges_ = edges_of(p_);
+    }
+    Sieve(const TurningPoints& points, const TimeSpan& time) noexcept {
+        const TurningCorners corners(points);
+        is_bounded_ = corners.is_bounded();
+        if (!is_bounded_) return;
+        const double length = time.to - time.from;
+        const TurningCorners::At at = corners.at(time.from + 0.5 * length);
+        p_ = at.points;
+        const double way = corners.way(at, length);
+        for (std::size_t k = 0; k < 3; ++k) error_[k] = at.error[k] + 1.125 * way;
         edges_ = edges_of(p_);
     }
 
     // Returns the pairs of features that may share a point. Tries cheap vectors first; after these, usually one pair is
     // left.
     FeatureSet run() noexcept {
-        if (!corners_.is_bounded()) return all_features;
+        if (!is_bounded_) return all_features;
         for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) look_along(axis);
         const auto& [a, b] = edges_;
         const Point normal_a = cross(a[0], a[1]), normal_b = cross(b[0], b[1]);
@@ -71,7 +84,7 @@ class Sieve {
         }
     }
 
-    MovingCorners corners_;
+    bool is_bounded_ = false;
     Points<6> p_;
     Point error_;
     TriangleEdges edges_;
@@ -81,6 +94,10 @@ class Sieve {
 }  // namespace
 
 FeatureSet possible_features(const MovingPoints& points, const TimeSpan& time) noexcept {
+    return Sieve(points, time).run();
+}
+
+FeatureSet possible_features(const TurningPoints& points, const TimeSpan& time) noexcept {
     return Sieve(points, time).run();
 }
 

@@ -1,0 +1,85 @@
+// A Turn (pose.hpp) is a motion of a body that stays rigid: it turns about an axis while a pivot moves on a straight
+// line. Casts of turning bodies find when they first share a point with others. (FCL: InterpMotion, ScrewMotion; Parry:
+// cast_shapes_nonlinear.) No World is needed.
+//
+//     const Turn turn = about({0, 0, 1}, 0.5, hinge);
+//     if (auto contact = cast({door, pose, turn}, {wall, Pose()})) angle_at(turn, contact->time)
+//
+// With c = pivot_from and m = pivot_to - pivot_from, as real numbers, and q = (w, v), the point that is at p at time 0
+// is, at a time s from 0 to 1, at
+//
+//     x = c + s m + R (p - c),     R the rotation of the quaternion (a, b) = 1 + s (q - 1) = (1 + s (w - 1), s v),
+//
+// which is of any length: R g = g + 2 (a b x g + b x (b x g)) / (a a + b.b). So the body is exactly rigid at every
+// time, whatever the doubles are: it starts at R v + t of its pose, and turns about the axis v through the pivot,
+// counterclockwise seen against v. A hinge or the joint of a robot has both pivots equal; if the pivots differ, the
+// body also glides, by m in all.
+//
+// The quaternion is never normalised, so its components may be rounded. Components that are multiples of 2^-30 make the
+// exact decisions faster, and turn by an angle that is about 1e-9 off. A factor on q changes the speed, not the way.
+//
+// Angle and time. At time s the body has turned by 2 atan2(s |v|, 1 + s (w - 1)); in all by 2 atan2(|v|, w), which is
+// below a whole turn: half a turn has w = 0, more has w < 0, and -q is the other way round. The angle increases with
+// time. If |q| = 1, half the time is half the angle, and the speed varies by 17 % over a quarter of a turn, twice over
+// half a turn. angle_at() and time_at() convert.
+//
+// A turn ends at the rotation q R of the start's matrix R, which is rarely a matrix of doubles. The end is therefore
+// about 1e-16 of the body's size away from any pose in doubles; end_gap() bounds that distance. Who goes on from such a
+// pose should know that nothing is said about the gap between.
+//
+// Example: verify/examples/how_do_i, turn_past_a_post().
+#pragma once
+
+#include <optional>
+
+#include "ecods/ask.hpp"
+#include "ecods/export.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/results.hpp"
+#include "ecods/shape.hpp"
+
+namespace ecods {
+
+// Return the first contact of a, which turns, with b, which stays, or is translated by time times `motion_of_b`;
+// nullopt if there is none up to max_time. Bodies, time 0, max_time, grazing contact, rounding, witnesses and errors
+// are as cast.hpp says, for x(s) as above; poses may be any. Also throws what validate() throws for the turn.
+//
+// Cost: the way is searched as several straight moves (as many as the bodies' nearness needs), so a few times as much
+// as the cast of one. The exact decision of two triangles, usually one in a cast, takes some tenths of a millisecond.
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Posed<MeshShape>& b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Vec3& motion_of_b,
+                                                         const Posed<MeshShape>& b, double max_time = 1,
+                                                         const Ask& ask = {});
+
+// Returns the turn by `angle` (in radians, counterclockwise seen against the axis) about the axis through the pivot,
+// which stays. The axis may have any length. q has the length 1, each component rounded once, so axis and angle are off
+// by about 2^-53. Throws InvalidArgument (Argument::turn) if the axis is zero ("axis"), a number is not finite
+// ("axis(0)", "pivot(0)", "angle"), or |angle| is 2 pi or more ("angle").
+[[nodiscard]] ECODS_API Turn about(const Vec3& axis, double angle, const Vec3& pivot);
+
+// Returns the turn, the short way, of a body that goes from one pose to another, in which the point `pivot_in_body` of
+// the body goes straight. Everything is rounded, so the turn ends near `to`, at a distance that end_gap() bounds. The
+// matrices should differ by a rotation alone; if they do not, the turn does not end near `to`. Throws InvalidArgument
+// if a number is not finite, or if the matrices do not differ by something like a rotation and a factor: one of them
+// mirrors and the other does not, shears or is singular (Argument::pose).
+[[nodiscard]] ECODS_API Turn between(const Pose& from, const Pose& to, const Vec3& pivot_in_body);
+
+// Returns the pose at a time of a body that starts at `pose`, each entry rounded once: to show it, or to go on from it.
+// Throws InvalidArgument; also if the time is not from 0 to 1.
+[[nodiscard]] ECODS_API Pose pose_at(const Pose& pose, const Turn& turn, double time);
+
+// Return the angle in radians, from 0 to below 2 pi, by which a body has turned at a time from 0 to 1; and the time at
+// which it has turned by an angle that it reaches. For an angle above that at time 1, the time is 1; so it is for a
+// turn that only glides, if the angle is positive. Both are rounded once, so they increase monotonically and are equal
+// on every machine. Cost: some tens of microseconds. Throw InvalidArgument; also if the time is not from 0 to 1, or the
+// angle is negative or NaN (Argument::time; Argument::turn, "angle").
+[[nodiscard]] ECODS_API double angle_at(const Turn& turn, double time);
+[[nodiscard]] ECODS_API double time_at(const Turn& turn, double angle);
+
+// Returns an upper bound of the distance between where a vertex of the shape is at the end of the turn that starts at
+// `from`, and where it is at the pose `to`, over all vertices. It is usually some 1e-16 of the shape's size if the turn
+// is between(from, to, ...). Throws InvalidArgument. Cost: a pass over the vertices.
+[[nodiscard]] ECODS_API double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const Pose& to);
+
+}  // namespace ecods

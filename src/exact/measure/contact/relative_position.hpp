@@ -1,0 +1,43 @@
+// RelativePosition says, as polynomials in time, how two moving triangles lie to each other. The decision of a first
+// meeting (first_meeting.hpp) asks nothing else about a motion.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "exact/number/polynomial.hpp"
+
+namespace ecods::exact {
+
+// Names corner `corner` of triangle `side`, and the edge of the other triangle that begins at corner `edge`. The first
+// triangle is side 0.
+struct CornerAndEdge {
+    std::size_t side;  // triangle of the corner
+    std::size_t corner;
+    std::size_t edge;
+};
+
+constexpr std::size_t index_of(const CornerAndEdge& which) noexcept {
+    return 9 * which.side + 3 * which.corner + which.edge;
+}
+
+// Each polynomial is the number that its function names, times a factor that depends on the time alone and is positive
+// at all times from 0 to 1.
+class RelativePosition {
+  public:
+    using Vector = std::array<Polynomial, 3>;
+
+    virtual ~RelativePosition() = default;
+
+    // Returns coordinate `axis` of corner i of the first triangle minus corner j of the second.
+    virtual Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const = 0;
+    // Returns (q - p) x (c - p) for the edge from p to q and the corner c. It is zero if and only if c is on the line
+    // of the edge, or p = q. The result is kept.
+    virtual const Vector& turn(const CornerAndEdge& which) = 0;
+    // Return six times the signed volume of four corners: a corner and the other triangle, or an edge of each triangle.
+    // It is zero if and only if the four corners are in one plane.
+    virtual Polynomial corner_volume(std::size_t side, std::size_t corner) = 0;
+    virtual Polynomial edge_volume(std::size_t edge_a, std::size_t edge_b) const = 0;
+};
+
+}  // namespace ecods::exact

@@ -1,0 +1,123 @@
+// Binds turn.hpp: turns, bodies that turn, and their casts.
+#include "ecods/turn.hpp"
+
+#include <array>
+
+#include "python/bind/ask.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/shapes.hpp"
+
+namespace ecods::python {
+namespace {
+
+using TurningMesh = Turning<MeshShape>;
+using Components = std::array<double, 4>;  // w, x, y, z
+
+Turn make_turn(const Components& q, const Vec3& from, const Vec3& to) {
+    const Turn turn{{q[0], q[1], q[2], q[3]}, from, to};
+    validate(turn);
+    return turn;
+}
+
+py::tuple numbers_of(const Turn& turn) {
+    return py::make_tuple(turn.q.w, turn.q.x, turn.q.y, turn.q.z);
+}
+
+std::string turn_text(const Turn& turn) {
+    const auto point = [](const Vec3& v) { return std::string(py::repr(py::cast(v).attr("tolist")())); };
+    return "Turn(q=" + std::string(py::repr(numbers_of(turn))) + ", pivot_from=" + point(turn.pivot_from) +
+           ", pivot_to=" + point(turn.pivot_to) + ")";
+}
+
+TurningMesh make_turning(std::shared_ptr<MeshShape> mesh, const Pose& start, const Turn& turn) {
+    validate(start);
+    return TurningMesh(std::move(mesh), start, turn);
+}
+
+std::shared_ptr<MeshShape> turning_mesh(const TurningMesh& turning) {
+    return to_python(turning.kept);
+}
+
+void add_turn(py::module_& m) {
+    py::class_<Turn> type(m, "Turn",
+                          "A rigid motion in the time from 0 to 1: a body turns by q about a pivot that goes straight "
+                          "from one point of the world to another.");
+    type.def(py::init(&make_turn), py::arg("q"), py::arg("pivot_from"), py::arg("pivot_to"),
+             "Makes a turn by the quaternion q = (w, x, y, z), of any length. Raises InvalidArgument for numbers that "
+             "are not finite, and for whole turns.");
+    type.def_property_readonly("q", &numbers_of, "The quaternion (w, x, y, z).");
+    type.def_property_readonly(
+        "pivot_from", [](const Turn& self) { return self.pivot_from; }, "(3,) float64.");
+    type.def_property_readonly(
+        "pivot_to", [](const Turn& self) { return self.pivot_to; }, "(3,) float64.");
+    type.def(
+        "__eq__", [](const Turn& self, const Turn& other) { return self == other; }, py::is_operator());
+    type.def("__repr__", &turn_text);
+    type.def(
+        py::pickle([](const Turn& self) { return py::make_tuple(numbers_of(self), self.pivot_from, self.pivot_to); },
+                   [](const py::tuple& state) {
+                       return make_turn(state[0].cast<Components>(), state[1].cast<Vec3>(), state[2].cast<Vec3>());
+                   }));
+}
+
+void add_turning(py::module_& m) {
+    py::class_<TurningMesh> type(m, "Turning",
+                                 "A mesh that is at a pose at time 0, and then turns. Mesh.turning() makes one, too.");
+    type.def(py::init(&make_turning), py::arg("mesh"), py::arg("start"), py::arg("turn"),
+             "Mesh.turning(start, turn). Raises InvalidArgument.");
+    type.def_property_readonly("mesh", &turning_mesh);
+    type.def_readonly("start", &TurningMesh::pose, "(4, 4) float64.");
+    type.def_readonly("turn", &TurningMesh::turn);
+    type.def("__repr__", [](const TurningMesh& self) {
+        return "Turning(" + std::string(py::repr(py::cast(turning_mesh(self)))) + ", " + pose_text("start", self.pose) +
+               ", " + turn_text(self.turn) + ")";
+    });
+    type.def(
+        py::pickle([](const TurningMesh& self) { return py::make_tuple(turning_mesh(self), self.pose, self.turn); },
+                   [](const py::tuple& state) {
+                       return make_turning(state[0].cast<std::shared_ptr<MeshShape>>(), state[1].cast<Pose>(),
+                                           state[2].cast<Turn>());
+                   }));
+    py::class_<MeshShape, std::shared_ptr<MeshShape>>(m.attr("Mesh"))
+        .def("turning", &make_turning, py::arg("start"), py::arg("turn"),
+             "The mesh as it turns from a pose on, in the time from 0 to 1.");
+}
+
+}  // namespace
+
+void bind_turns(py::module_& m) {
+    add_turn(m);
+    add_turning(m);
+    const auto max_time = py::arg("max_time") = 1.0;
+    const auto witness = py::arg("witness") = py::none();
+    m.def("cast", asked_with_witness<TurningMesh, PosedMesh, double>(ECODS_QUESTION(cast)), py::arg("a"), py::arg("b"),
+          max_time, witness,
+          "FirstContact of a body that turns (Mesh.turning), rigid on its way, with b, which stays; None if there is "
+          "none up to max_time. Exact. Raises InvalidArgument.");
+    m.def("cast", asked_with_witness<TurningMesh, Vec3, PosedMesh, double>(ECODS_QUESTION(cast)), py::arg("a"),
+          py::arg("motion_of_b"), py::arg("b"), max_time, witness,
+          "The same, where b is translated by time times motion_of_b (3,).");
+    m.def("about", &about, py::arg("axis"), py::arg("angle"), py::arg("pivot"),
+          "Turn by an angle in radians about an axis (3,) through a pivot (3,), which stays: a hinge, or a joint of a "
+          "robot. Raises InvalidArgument.");
+    m.def("between", &between, py::arg("start"), py::arg("end"), py::arg("pivot_in_body"),
+          "Turn, the short way, from one pose to another, in which a point (3,) of the body goes straight. Its end is "
+          "rounded: see end_gap(). Raises InvalidArgument.");
+    m.def("pose_at", &pose_at, py::arg("start"), py::arg("turn"), py::arg("time"),
+          "The pose (4, 4) at a time, each entry rounded once. Raises InvalidArgument.");
+    m.def("angle_at", &angle_at, py::arg("turn"), py::arg("time"),
+          "The angle in radians by which a body has turned at a time, rounded once. Raises InvalidArgument.");
+    m.def("time_at", &time_at, py::arg("turn"), py::arg("angle"),
+          "The time at which a body has turned by an angle, rounded once; 1 for an angle that it does not reach. "
+          "Raises InvalidArgument.");
+    m.def(
+        "end_gap",
+        [](const MeshShape& mesh, const Pose& start, const Turn& turn, const Pose& end) {
+            return end_gap(mesh, start, turn, end);
+        },
+        py::arg("mesh"), py::arg("start"), py::arg("turn"), py::arg("end"),
+        "An upper bound of the distance of a vertex at the end of a turn from where it is at the pose `end`. Raises "
+        "InvalidArgument.");
+}
+
+}  // namespace ecods::python

@@ -1,0 +1,116 @@
+// MeetingDecision decides exactly when two moving triangles first share a point, for any kind of motion. Exact results
+// are kept for other pairs of triangles that meet in the same features.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <optional>
+#include <vector>
+
+#include "base/double_key.hpp"
+#include "base/next.hpp"
+#include "ecods/ask.hpp"
+#include "ecods/ids.hpp"
+#include "ecods/mesh.hpp"
+#include "exact/measure/contact/bound_meeting.hpp"
+#include "exact/measure/contact/first_meeting.hpp"
+#include "exact/measure/contact/possible_features.hpp"
+#include "exact/measure/distance/name_features.hpp"
+#include "geometry/feature_key.hpp"
+
+namespace ecods {
+
+// Stores when features a and b first share a point. It is stored only if the triangles that have them cannot meet, in
+// the time span searched, in any other features. So all triangles with this property first meet at this time.
+struct KnownMeeting {
+    FeatureKey a, b;
+    double time;   // rounded once
+    bool is_late;  // true if the exact time is above `time`
+};
+
+class KnownMeetings {
+  public:
+    void clear() noexcept { all_.clear(); }
+    void add(const KnownMeeting& known) { all_.push_back(known); }
+
+    // Returns the known meeting of features a and b if it certainly is within `time`; otherwise null. The known time is
+    // rounded, so both of its neighbors must be within `time`.
+    const KnownMeeting* find(const FeatureKey& a, const FeatureKey& b, const exact::TimeSpan& time) const {
+        for (const KnownMeeting& known : all_) {
+            if (known.a == a && known.b == b && key_of(next_down(known.time)) >= key_of(time.from) &&
+                key_of(next_up(known.time)) <= key_of(time.to)) {
+                return &known;
+            }
+        }
+        return nullptr;
+    }
+
+  private:
+    std::vector<KnownMeeting> all_;
+};
+
+// `Pairs` has the pairs of triangles of two moving meshes: mesh(side); points_of(triangles), in doubles, for
+// bound_first_meeting and possible_features; ask_exactly(triangles, ask), which returns ask(position) for the
+// RelativePosition; and counts_.
+template <class Pairs>
+class MeetingDecision {
+  public:
+    MeetingDecision(Pairs& pairs, KnownMeetings& known, const TrianglePair& triangles)
+        : pairs_(pairs), known_(known), triangles_(triangles) {}
+
+    // Decides exactly in some short time spans from the bound on, in which few features can meet; if these do not
+    // suffice, for all times. If the points are far from their mesh's origin, the bound may end before the meeting
+    // because of the points' errors. So each span tried is longer than the one before.
+    std::optional<exact::Meeting> decide(exact::TimeSpan time, double to) {
+        constexpr std::array<double, 3> lengths{0x1p-44, 0x1p-36, 0x1p-28};  // relative to time.to
+        const auto points = pairs_.points_of(triangles_);
+        for (const double length : lengths) {
+            time.to = std::min(1.0, std::max(time.to, time.from + length * time.to));
+            const auto cells = exact::cells_around(time);
+            if (!cells) break;
+            const exact::TimeSpan span = cells->span();
+            const exact::PartialAnswer answer = decide_in(*cells, exact::possible_features(points, span));
+            if (!answer.is_known) break;
+            if (answer.meeting) return answer.meeting;
+            if (key_of(span.to) >= key_of(to)) return std::nullopt;
+            ++pairs_.counts_->enclosures;
+            const auto next = exact::bound_first_meeting(points, span.to, to, exact::Effort::fine);
+            if (!next) return std::nullopt;
+            time = *next;
+        }
+        return pairs_.ask_exactly(triangles_, [](exact::RelativePosition& at) { return exact::first_meeting(at); });
+    }
+
+  private:
+    // Decides in the cells, where only pairs of `features` may share points.
+    exact::PartialAnswer decide_in(const exact::TimeCells& cells, exact::FeatureSet features) {
+        if (features == 0) return {true, std::nullopt};
+        const bool is_one = std::has_single_bit(features);
+        FeatureKey a, b;
+        if (is_one) {
+            const exact::FeaturePair& pair = exact::feature_pairs[static_cast<std::size_t>(std::countr_zero(features))];
+            a = key_on(pair, 0, triangles_.a);
+            b = key_on(pair, 1, triangles_.b);
+            if (const KnownMeeting* known = known_.find(a, b, cells.span())) {
+                return {true, exact::Meeting{known->time, known->is_late, pair}};
+            }
+        }
+        const exact::PartialAnswer answer = pairs_.ask_exactly(
+            triangles_, [&](exact::RelativePosition& at) { return exact::first_meeting_in(at, cells, features); });
+        if (answer.is_known && answer.meeting && is_one) {
+            known_.add({a, b, answer.meeting->time, answer.meeting->is_late});
+        }
+        return answer;
+    }
+
+    FeatureKey key_on(const exact::FeaturePair& pair, std::size_t side, std::uint32_t triangle) const {
+        return feature_key(exact::feature_of(pair, side, triangle), pairs_.mesh(side).triangles()[triangle]);
+    }
+
+    Pairs& pairs_;
+    KnownMeetings& known_;
+    const TrianglePair& triangles_;
+};
+
+}  // namespace ecods

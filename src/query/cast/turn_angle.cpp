@@ -1,0 +1,140 @@
+// Angles of turns, and times. All results are those of real arithmetic, rounded once: comparisons are decided in
+// integers, with bounds of sines and cosines that are refined until they decide. That ends, because the angle at a
+// rational time is no rational number unless it is 0: twice the angle of a vector with algebraic coordinates
+// (Lindemann and Weierstrass). So the results increase monotonically.
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "base/limits.hpp"
+#include "exact/point/vectors.hpp"
+#include "geometry/find_invalid.hpp"
+#include "query/cast/cosine_bounds.hpp"
+#include "query/cast/exact_turn.hpp"
+#include "query/cast/nearest_double.hpp"
+
+namespace ecods {
+namespace {
+
+using exact::BinaryFraction;
+using exact::Integer;
+
+constexpr double two_pi_above = 0x1.921fb54442d19p+2;  // the least double above 2 pi
+
+Integer magnitude_of(const Integer& x) {
+    return x.sign() < 0 ? -x : x;
+}
+
+// Returns the sign of x^2 u - y^2 v for x between |x| - off and |x| + off and y alike; 0 if it is not certain.
+int compare_squares(const Integer& x, const Integer& u, const Integer& y, const Integer& v, const Integer& off) {
+    const auto square = [](const Integer& a) { return a * a; };
+    const Integer size_x = magnitude_of(x), size_y = magnitude_of(y);
+    const auto low = [&](const Integer& size) { return compare(size, off) <= 0 ? Integer() : square(size - off); };
+    if (compare(low(size_x) * u, square(size_y + off) * v) > 0) return 1;
+    if (compare(square(size_x + off) * u, low(size_y) * v) < 0) return -1;
+    return 0;
+}
+
+// Returns the sign of (angle turned) - (angle given) for 0 <= angle < 6.3. The vector (a, b |v|) has half the angle
+// turned, f in [0, pi), and t is half the given one. sin(f - t) has the sign of b |v| cos t - a sin t.
+int compare_angle(const ExactTurn& turn, const BinaryFraction& angle) {
+    const Integer size = exact::dot(turn.v, turn.v), bb = turn.b * turn.b, aa = turn.a * turn.a;
+    if (turn.b.is_zero() || size.is_zero()) return angle.m.is_zero() ? 0 : -1;
+    if (angle.m.is_zero()) return 1;
+    const BinaryFraction t{angle.m, angle.bits + 1};
+    if (turn.a.sign() >= 0 && compare(t.m, Integer(std::int64_t{2}) << t.bits) > 0) return -1;  // f <= pi / 2 < 2 < t
+    return decide_by_cosine(t, [&](const CosineBounds& at) {
+        const bool is_certain = compare(magnitude_of(at.cos), at.off) > 0 && compare(magnitude_of(at.sin), at.off) > 0;
+        if (!is_certain) return 0;
+        const int first = at.cos.sign(), second = turn.a.sign() * at.sin.sign();
+        if (first != second) return first - second > 0 ? 1 : -1;
+        return first * compare_squares(at.cos, bb * size, at.sin, aa, at.off);
+    });
+}
+
+// Returns the double nearest to the angle turned at a time, given a guess of it.
+double angle_nearest_to(const Turn& turn, double time) {
+    const Quaternion& q = turn.q;
+    const double size = std::hypot(q.x, q.y, q.z);
+    const double guess = 2 * std::atan2(time * size, (1 - time) + time * q.w);
+    const ExactTurn at(q, binary_fraction(time));
+    return nearest_double(guess, [&](const BinaryFraction& m) { return compare_angle(at, m) > 0; });
+}
+
+void require_time_of_turn(double time) {
+    if (!is_from_zero(time) || key_of(time) > key_of(1.0)) throw invalid_time(time);
+}
+
+// Returns the magnitude of cos t or sin t times a root, sqrt(square / all), rounded once. t is positive.
+double rounded_product(const BinaryFraction& t, bool is_sine, const Integer& square, const Integer& all, double guess) {
+    if (square.is_zero()) return 0;
+    return nearest_double(guess, [&](const BinaryFraction& m) {
+        return decide_by_cosine(t, [&](const CosineBounds& bounds) {
+                   // Compares (bounds / scale)^2 square / all with (m / 2^bits)^2.
+                   const Integer& value = is_sine ? bounds.sin : bounds.cos;
+                   const Integer size = magnitude_of(value) << m.bits, off = bounds.off << m.bits;
+                   const Integer other = m.m * bounds.scale;
+                   const auto compare_with = [&](const Integer& x) {
+                       return x.sign() <= 0 ? -1 : compare((x * x) * square, (other * other) * all);
+                   };
+                   if (compare_with(size - off) > 0) return 1;
+                   return compare_with(size + off) < 0 ? -1 : 0;
+               }) > 0;
+    });
+}
+
+}  // namespace
+
+double angle_at(const Turn& turn, double time) {
+    validate(turn);
+    require_time_of_turn(time);
+    return angle_nearest_to(turn, time);
+}
+
+double time_at(const Turn& turn, double angle) {
+    validate(turn);
+    if (!is_from_zero(angle)) throw invalid_turn("angle", angle);
+    if (key_of(angle) == 0) return 0;
+    const BinaryFraction one{Integer(std::int64_t{1}), 0};
+    if (key_of(angle) >= key_of(two_pi_above)) return 1;
+    const BinaryFraction given = binary_fraction(angle);
+    if (compare_angle(ExactTurn(turn.q, one), given) <= 0) return 1;
+    const Quaternion& q = turn.q;
+    const double size = std::hypot(q.x, q.y, q.z), half = 0.5 * angle;
+    const double guess = std::sin(half) / ((1 - q.w) * std::sin(half) + size * std::cos(half));
+    return nearest_double(guess, [&](const BinaryFraction& m) { return compare_angle(ExactTurn(q, m), given) < 0; });
+}
+
+Turn about(const Vec3& axis, double angle, const Vec3& pivot) {
+    for (int k = 0; k < 3; ++k) {
+        if (!is_finite(axis[k])) throw invalid_turn("axis(" + std::to_string(k) + ")", axis[k]);
+    }
+    for (int k = 0; k < 3; ++k) {
+        if (!is_finite(pivot[k])) throw invalid_turn("pivot(" + std::to_string(k) + ")", pivot[k]);
+    }
+    if (is_zero(axis)) throw invalid_turn("axis", 0);
+    const double size = std::abs(angle);
+    if (!is_finite(angle) || key_of(size) >= key_of(two_pi_above)) throw invalid_turn("angle", angle);
+    if (key_of(size) == 0) return {{}, pivot, pivot};
+    const BinaryFraction given = binary_fraction(size), t{given.m, given.bits + 1};
+    const double half = 0.5 * size;  // for guesses
+    const exact::TurnIntegers integers(1, axis);
+    const Integer one(std::int64_t{1}), all = exact::dot(integers.v, integers.v);
+    const double length = std::hypot(axis[0], axis[1], axis[2]);
+    Turn result{{}, pivot, pivot};
+    const double w = rounded_product(t, false, one, one, std::abs(std::cos(half)));
+    const bool is_obtuse = compare_angle(ExactTurn({0, 1, 0, 0}, {one, 0}), given) < 0;
+    result.q.w = is_obtuse ? -w : w;
+    std::array<double, 3> v;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double part = axis[static_cast<Eigen::Index>(k)];
+        v[k] = rounded_product(t, true, integers.v[k] * integers.v[k], all, std::abs(std::sin(half) * (part / length)));
+        if ((key_of(part) < 0) != (key_of(angle) < 0)) v[k] = opposite(v[k]);
+    }
+    result.q.x = v[0];
+    result.q.y = v[1];
+    result.q.z = v[2];
+    return result;
+}
+
+}  // namespace ecods

@@ -1,0 +1,178 @@
+// Poses of turning bodies. Poses are computed in integers and rounded once.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/arithmetic.hpp"
+#include "base/limits.hpp"
+#include "exact/measure/round/fraction.hpp"
+#include "exact/point/point.hpp"
+#include "exact/point/vectors.hpp"
+#include "geometry/find_invalid.hpp"
+#include "geometry/used_vertices.hpp"
+#include "query/cast/exact_turn.hpp"
+
+namespace ecods {
+namespace {
+
+using exact::BinaryFraction;
+using exact::Dyadic;
+using exact::Integer;
+using exact::LongVector3;
+
+// Vectors of doubles as integers in one unit, 2^low.
+class CommonInteger {
+  public:
+    void include(const Vec3& v) noexcept {
+        for (int k = 0; k < 3; ++k) digits_.include(exact::decode(v[k]));
+    }
+    int low() const noexcept { return digits_.empty() ? 0 : digits_.low; }
+    LongVector3 of(const Vec3& v) const {
+        LongVector3 result;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Dyadic x = exact::decode(v[static_cast<Eigen::Index>(k)]);
+            if (x.m != 0) result[k] = Integer(x.m) << (x.e - low());
+        }
+        return result;
+    }
+
+  private:
+    exact::BitRange digits_;
+};
+
+// Returns num 2^low / den, rounded once; den is positive.
+double rounded(const Integer& num, const Integer& den, int low) {
+    if (num.is_zero()) return 0;
+    const Integer over = low < 0 ? den << -low : den, size = low > 0 ? num << low : num;
+    const double result = exact::round_fraction({size.limbs(), over.limbs()});
+    return num.sign() < 0 ? -result : result;
+}
+
+Vec3 rounded(const LongVector3& num, const Integer& den, int low) {
+    return {rounded(num[0], den, low), rounded(num[1], den, low), rounded(num[2], den, low)};
+}
+
+LongVector3 times(const Integer& k, const LongVector3& v) {
+    return {k * v[0], k * v[1], k * v[2]};
+}
+
+LongVector3 plus(const LongVector3& a, const LongVector3& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+// Returns the pose at a time minus `other`, each entry rounded once.
+Pose pose_less(const Pose& pose, const Turn& turn, double time, const Pose& other) {
+    const ExactTurn at(turn.q, binary_fraction(time));
+    Pose result;
+    CommonInteger linear, place;
+    for (int k = 0; k < 3; ++k) {
+        linear.include(pose.R.col(k));
+        linear.include(other.R.col(k));
+    }
+    for (int k = 0; k < 3; ++k) {
+        const LongVector3 turned = at.rotated(linear.of(pose.R.col(k)));
+        result.R.col(k) =
+            rounded(exact::minus(turned, times(at.norm, linear.of(other.R.col(k)))), at.norm, linear.low());
+    }
+    for (const Vec3* v : {&pose.t, &other.t, &turn.pivot_from, &turn.pivot_to}) place.include(*v);
+    // With c the pivot, m its way, and s = i / 2^bits: 2^bits (Q (t - c) + N (c - other)) + N i m, over N 2^bits.
+    const LongVector3 c = place.of(turn.pivot_from), m = exact::minus(place.of(turn.pivot_to), c);
+    const LongVector3 arm = at.rotated(exact::minus(place.of(pose.t), c));
+    const LongVector3 still = plus(arm, times(at.norm, exact::minus(c, place.of(other.t))));
+    const Integer one = Integer(std::int64_t{1}) << at.time.bits;
+    result.t = rounded(plus(times(one, still), times(at.norm * at.time.m, m)), at.norm << at.time.bits, place.low());
+    return result;
+}
+
+const Pose no_pose{Mat3::Zero(), Vec3::Zero()};
+
+// Returns K of between(). The matrices are scaled before, so that products neither overflow nor underflow.
+std::array<std::array<double, 3>, 3> rotation_between(const Mat3& from, const Mat3& to) {
+    const double size_from = from.cwiseAbs().maxCoeff(), size_to = to.cwiseAbs().maxCoeff();
+    std::array<std::array<double, 3>, 3> K;
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const auto term = [&](int k) { return (to(i, k) / size_to) * (from(j, k) / size_from); };
+            const double entry = (term(0) + term(1)) + term(2);
+            K[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = entry;
+            sum += entry * entry;
+        }
+    }
+    const double length = std::sqrt(sum / 3);
+    for (auto& row : K) {
+        for (double& entry : row) entry /= length;
+    }
+    return K;
+}
+
+}  // namespace
+
+Pose pose_at(const Pose& pose, const Turn& turn, double time) {
+    validate(pose);
+    validate(turn);
+    if (!is_from_zero(time) || key_of(time) > key_of(1.0)) throw invalid_time(time);
+    return pose_less(pose, turn, time, no_pose);
+}
+
+// The difference of both places of v is D v + d. Each of its entries is rounded once, and products and sums as computed
+// are off by less than 5 u' of the sum of magnitudes.
+// Claim: verify/proofs/turn_pieces.md
+double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const Pose& to) {
+    validate(from);
+    validate(turn);
+    validate(to);
+    const Pose difference = pose_less(from, turn, 1, to);
+    const Mat3 size = difference.R.cwiseAbs();
+    if (difference == no_pose) return 0;
+    double most = 0;
+    for_each_used_vertex(shape.mesh(), [&](std::uint32_t index) {
+        const Vec3& v = shape.mesh().vertices()[index];
+        const Vec3 gap = difference.R * v + difference.t;
+        const Vec3 off = 8 * two_u * (size * v.cwiseAbs() + difference.t.cwiseAbs());
+        const Vec3 above = gap.cwiseAbs() + off;
+        const double length = std::sqrt(above.squaredNorm());
+        if (!(length <= most)) most = length;
+    });
+    // A sum that overflows is above this limit in every rounding mode.
+    return most < 0x1p1000 ? most * (1 + 8 * two_u) + 0x1p-500 : std::numeric_limits<double>::infinity();
+}
+
+// Let K be R1 R0^T, divided by the root of a third of its sum of squares: for poses that differ by a rotation, this
+// rotation. The quaternion is that of Shepperd's method (Quaternion from rotation matrix, 1978): the largest of the
+// four components is computed first.
+Turn between(const Pose& from, const Pose& to, const Vec3& pivot_in_body) {
+    validate(from);
+    validate(to);
+    for (int k = 0; k < 3; ++k) {
+        if (!is_finite(pivot_in_body[k])) throw invalid_turn("pivot(" + std::to_string(k) + ")", pivot_in_body[k]);
+    }
+    const std::array<std::array<double, 3>, 3> K = rotation_between(from.R, to.R);
+    const double det = exact::dot(K[0], exact::cross(K[1], K[2]));
+    if (!(det > 0.5)) throw no_rotation_between();
+    const double trace = (K[0][0] + K[1][1]) + K[2][2];
+    const std::array<double, 4> squares{1 + trace, 1 + (K[0][0] - K[1][1] - K[2][2]), 1 + (K[1][1] - K[2][2] - K[0][0]),
+                                        1 + (K[2][2] - K[0][0] - K[1][1])};
+    const auto first = static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
+    const double twice = std::sqrt(squares[first]), over = 0.5 / twice;
+    std::array<double, 4> q{0.5 * twice, (K[2][1] - K[1][2]) * over, (K[0][2] - K[2][0]) * over,
+                            (K[1][0] - K[0][1]) * over};
+    if (first != 0) {
+        const std::size_t i = first - 1;
+        q[0] = q[first];
+        q[first] = 0.5 * twice;
+        for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3}) q[1 + j] = (K[i][j] + K[j][i]) * over;
+        if (q[0] < 0) q = {-q[0], -q[1], -q[2], -q[3]};
+    }
+    const auto place = [&](const Pose& pose) -> Vec3 {
+        const exact::Point p = exact::pose_point(pose.R, pivot_in_body, pose.t);
+        return {p[0], p[1], p[2]};
+    };
+    const Turn turn{{q[0], q[1], q[2], q[3]}, place(from), place(to)};
+    validate(turn);
+    return turn;
+}
+
+}  // namespace ecods
