@@ -49,6 +49,14 @@ void run_pairs(std::uint32_t seed, Lie lie, CaseCounts& counts);
 void run_distances(std::uint32_t seed, Lie lie, CaseCounts& counts);
 void run_hits(std::uint32_t seed, Lie lie, CaseCounts& counts);
 void run_casts(std::uint32_t seed, Lie lie, CaseCounts& counts);
+
+// All families of turn_cases.hpp, by the oracle; and by pieces of the time, which share nothing with it.
+void run_turns(std::uint32_t seed, Lie lie, CaseCounts& counts);
+
+// Turns of small integers, without the oracle: at times at which poses are doubles, up to a factor, bodies do not
+// intersect before the first time; and where they do intersect, it is not later.
+void run_turn_samples(std::uint32_t seed, Lie lie, CaseCounts& counts);
+
 void run_convex(std::uint32_t seed, Lie lie, CaseCounts& counts);
 
 // Worlds of meshes, solids, convex solids, rounded bodies and half spaces that come, go, jump, and change shapes, radii

@@ -6,6 +6,7 @@
 
 #include "judge/hit_truth.hpp"
 #include "judge/text.hpp"
+#include "judge/turn_truth.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -54,6 +55,11 @@ std::string to_text(const scenes::CastCase& made) {
 std::string to_text(const scenes::MoveCase& made) {
     return to_text("a", made.from_a, *made.a) + to_text("to_a", made.to_a, std::span<const Vec3>()) +
            to_text("b", made.from_b, *made.b) + to_text("to_b", made.to_b, std::span<const Vec3>());
+}
+
+std::string to_text(const scenes::TurnCase& made) {
+    return to_text("a", made.pose_a, *made.a) + "turn " + judge::text(made.turn) + "\n" +
+           to_text("b", made.pose_b, *made.b);
 }
 
 }  // namespace ecods::fuzz

@@ -9,6 +9,7 @@
 #include "scenes/hard_pairs.hpp"
 #include "scenes/hit_cases.hpp"
 #include "scenes/solid_cases.hpp"
+#include "scenes/turn_cases.hpp"
 
 namespace ecods::fuzz {
 
@@ -20,9 +21,10 @@ std::string to_text(const scenes::DistanceCase& made);
 std::string to_text(const scenes::SolidCase& made);
 std::string to_text(const scenes::ConvexCase& made);
 
-// The same, and the line; the motion; both poses of each.
+// The same, and the line; the motion; both poses of each; the turn.
 std::string to_text(const scenes::HitCase& made);
 std::string to_text(const scenes::CastCase& made);
 std::string to_text(const scenes::MoveCase& made);
+std::string to_text(const scenes::TurnCase& made);
 
 }  // namespace ecods::fuzz

@@ -5,9 +5,13 @@
 namespace ecods::judge {
 namespace {
 
-std::vector<Promise> promises_of(const scenes::KnownTime& time, const CastTruth& truth) {
+std::vector<Promise> promises_of(const scenes::KnownTime& time, const std::optional<FirstContact>& contact) {
     if (!time) return {};
-    return {{(truth.contact() ? truth.contact()->time : -1) == *time, "time " + text(*time), text(truth.contact())}};
+    return {{(contact ? contact->time : -1) == *time, "time " + text(*time), text(contact)}};
+}
+
+std::string kind_of(const std::optional<FirstContact>& contact) {
+    return contact ? written(contact->kind) : "nothing";
 }
 
 oracle::Soup soup(const scenes::PosedMesh& body) {
@@ -17,7 +21,11 @@ oracle::Soup soup(const scenes::PosedMesh& body) {
 }  // namespace
 
 std::string kind_of(const CastTruth& truth) {
-    return truth.contact() ? written(truth.contact()->kind) : "nothing";
+    return kind_of(truth.contact());
+}
+
+std::string kind_of(const TurnTruth& truth) {
+    return kind_of(truth.contact());
 }
 
 std::string kind_of(const HitTruth& truth) {
@@ -37,11 +45,15 @@ std::string kind_of(const SolidTruth& truth) {
 }
 
 std::vector<Promise> promises_of(const scenes::CastCase& made, const CastTruth& truth) {
-    return promises_of(made.time, truth);
+    return promises_of(made.time, truth.contact());
 }
 
 std::vector<Promise> promises_of(const scenes::MoveCase& made, const CastTruth& truth) {
-    return promises_of(made.time, truth);
+    return promises_of(made.time, truth.contact());
+}
+
+std::vector<Promise> promises_of(const scenes::TurnCase& made, const TurnTruth& truth) {
+    return promises_of(made.time, truth.contact());
 }
 
 std::vector<Promise> promises_of(const scenes::HitCase& made, const HitTruth& truth) {

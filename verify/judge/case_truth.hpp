@@ -10,11 +10,13 @@
 #include "judge/distance_truth.hpp"
 #include "judge/hit_truth.hpp"
 #include "judge/solid_truth.hpp"
+#include "judge/turn_truth.hpp"
 #include "scenes/cast_cases.hpp"
 #include "scenes/convex_cases.hpp"
 #include "scenes/distance_cases.hpp"
 #include "scenes/hit_cases.hpp"
 #include "scenes/solid_cases.hpp"
+#include "scenes/turn_cases.hpp"
 
 namespace ecods::judge {
 
@@ -38,6 +40,15 @@ struct Judged<scenes::MoveCase> {
 
     explicit Judged(const scenes::MoveCase& made, int samples = 8)
         : a(made.a), b(made.b), truth({a, made.from_a, made.to_a}, {b, made.from_b, made.to_b}, samples) {}
+};
+
+template <>
+struct Judged<scenes::TurnCase> {
+    MeshShape a, b;
+    TurnTruth truth;
+
+    explicit Judged(const scenes::TurnCase& made, int samples = 8)
+        : a(made.a), b(made.b), truth({a, made.pose_a, made.turn}, {b, made.pose_b}, samples) {}
 };
 
 template <>
@@ -88,6 +99,7 @@ std::optional<Wrong> ask(const Truth& truth, QueryMemory& memory, PairWitness& w
 // What is true, in a word: the kind of the first contact, of the first hit or of the closest points, or "nothing"; of
 // convex solids ConvexTruth::kind(); of solids their relation.
 std::string kind_of(const CastTruth& truth);
+std::string kind_of(const TurnTruth& truth);
 std::string kind_of(const HitTruth& truth);
 std::string kind_of(const DistanceTruth& truth);
 std::string kind_of(const ConvexTruth& truth);
@@ -103,6 +115,7 @@ struct Promise {
 // All that its recipe knows of a case; of a point where it is, if that is finite.
 std::vector<Promise> promises_of(const scenes::CastCase& made, const CastTruth& truth);
 std::vector<Promise> promises_of(const scenes::MoveCase& made, const CastTruth& truth);
+std::vector<Promise> promises_of(const scenes::TurnCase& made, const TurnTruth& truth);
 std::vector<Promise> promises_of(const scenes::HitCase& made, const HitTruth& truth);
 std::vector<Promise> promises_of(const scenes::DistanceCase& made, const DistanceTruth& truth);
 std::vector<Promise> promises_of(const scenes::ConvexCase& made, const ConvexTruth& truth);

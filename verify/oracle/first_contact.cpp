@@ -1,15 +1,13 @@
 #include "oracle/first_contact.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <tuple>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "oracle/float_environment.hpp"
 #include "oracle/integer_points.hpp"
 #include "oracle/oracle.hpp"
-#include "oracle/pair_motion.hpp"
-#include "oracle/triangle_distance.hpp"
+#include "oracle/pairs_on_the_way.hpp"
 
 namespace ecods::oracle {
 namespace {
@@ -47,10 +45,6 @@ struct MovingMesh {
             result.change[i] = to[vertex] - from[vertex];
         }
         return result;
-    }
-    std::array<Vec3, 3> corners(std::uint32_t index) const {
-        const Triangle& t = soup.triangles[index];
-        return {soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]};
     }
     // One of each triangle, on all its way, or where it begins.
     std::vector<Box> boxes(bool is_of_all) const {
@@ -125,76 +119,15 @@ bool are_apart(const MovingTriangle& a, const MovingTriangle& b, double until) {
     return false;
 }
 
-std::optional<ExactContact> contact_at_start(const MovingMesh& a, const MovingMesh& b) {
-    std::optional<ExactContact> contact;
-    const auto add = [&](const TrianglePair& pair) {
-        const NamedFeature of_a{2, pair.a, 0}, of_b{2, pair.b, 0};
-        if (!contact) contact = {Root(0), 0, Closeness::intersecting, of_a, of_b, of_b, of_a};
-        if (std::tie(pair.b, pair.a) < std::tie(contact->b_first.triangle, contact->a_second.triangle)) {
-            contact->b_first = of_b;
-            contact->a_second = of_a;
-        }
+PairsOnTheWay pairs_of(const MovingMesh& a, const MovingMesh& b, MakePair make) {
+    PairsOnTheWay pairs{a.soup, b.soup, {}, {}, {}, {}};
+    for_each_overlap(a, b, false, [&](const TrianglePair& pair) { pairs.at_start.push_back(pair); });
+    for_each_overlap(a, b, true, [&](const TrianglePair& pair) { pairs.on_the_way.push_back(pair); });
+    pairs.are_apart = [&](const TrianglePair& pair, double until) {
+        return are_apart(a.triangle(pair.a), b.triangle(pair.b), until);
     };
-    for_each_overlap(a, b, false, [&](const TrianglePair& pair) {
-        if (contact && pair.b >= contact->b_first.triangle) return;
-        if (triangle_triangle(a.soup.pose, a.corners(pair.a), b.soup.pose, b.corners(pair.b)) == Relation::apart) {
-            return;
-        }
-        add(pair);
-    });
-    return contact;
-}
-
-struct TimedPair {
-    TrianglePair pair;
-    Root time;
-};
-
-// All pairs of triangles whose times round to the least time.
-std::vector<TimedPair> first_pairs(const MovingMesh& a, const MovingMesh& b, MakePair make) {
-    std::vector<TimedPair> found;
-    double least = 2;
-    for_each_overlap(a, b, true, [&](const TrianglePair& pair) {
-        const MovingTriangle of_a = a.triangle(pair.a), of_b = b.triangle(pair.b);
-        if (are_apart(of_a, of_b, std::min(1.0, std::nextafter(least, 2)))) return;
-        const auto time = make(of_a, of_b)->first_time();
-        if (!time) return;
-        const double rounded = time->nearest();
-        if (rounded < least) found.clear();
-        if (rounded <= least) found.push_back({pair, *time});
-        least = std::min(least, rounded);
-    });
-    return found;
-}
-
-// What the rule compares, the first number first.
-auto rank(Closeness kind, const NamedFeature& first, const NamedFeature& second) {
-    return std::tuple(kind, first.triangle, first.corner, second.triangle, second.corner, first.dimension);
-}
-
-std::optional<ExactContact> first_of(const MovingMesh& a, const MovingMesh& b, MakePair make) {
-    if (auto contact = contact_at_start(a, b)) return contact;
-    std::optional<ExactContact> first;
-    for (TimedPair& found : first_pairs(a, b, make)) {
-        const auto& [i, j] = found.pair;
-        const auto motion = make(a.triangle(i), b.triangle(j));
-        if (first && found.time.compare(first->time) < 0) first->time = found.time;
-        for (const std::size_t index : motion->features_at(found.time)) {
-            const auto& [kind, dimension_a, of_a, dimension_b, of_b] = feature_pairs()[index];
-            const NamedFeature in_a{dimension_a, i, of_a}, in_b{dimension_b, j, of_b};
-            if (!first) first = {found.time, found.time.nearest(), kind, in_a, in_b, in_b, in_a};
-            if (rank(kind, in_a, in_b) < rank(first->kind, first->a, first->b)) {
-                first->a = in_a;
-                first->b = in_b;
-            }
-            if (rank(kind, in_b, in_a) < rank(first->kind, first->b_first, first->a_second)) {
-                first->b_first = in_b;
-                first->a_second = in_a;
-            }
-            first->kind = std::min(first->kind, kind);
-        }
-    }
-    return first;
+    pairs.motion = [&a, &b, make](const TrianglePair& pair) { return make(a.triangle(pair.a), b.triangle(pair.b)); };
+    return pairs;
 }
 
 }  // namespace
@@ -210,7 +143,8 @@ std::optional<ExactContact> first_contact(const Soup& a, const Vec3& motion, con
         const Integers& m = common.points[2][0];
         moving.to.push_back({p[0] + m[0], p[1] + m[1], p[2] + m[2]});
     }
-    return first_of(moving, {b, common.points[1], common.points[1]}, make_translation);
+    const MovingMesh still{b, common.points[1], common.points[1]};
+    return first_of(pairs_of(moving, still, make_translation));
 }
 
 std::optional<ExactContact> first_contact(const MovingSoup& a, const MovingSoup& b) {
@@ -218,8 +152,8 @@ std::optional<ExactContact> first_contact(const MovingSoup& a, const MovingSoup&
     const std::array<Soup, 4> soups{a.from, Soup{a.from.vertices, a.from.triangles, a.to}, b.from,
                                     Soup{b.from.vertices, b.from.triangles, b.to}};
     CommonIntegers common(soups);
-    return first_of({a.from, common.points[0], common.points[1]}, {b.from, common.points[2], common.points[3]},
-                    make_motion);
+    const MovingMesh of_a{a.from, common.points[0], common.points[1]}, of_b{b.from, common.points[2], common.points[3]};
+    return first_of(pairs_of(of_a, of_b, make_motion));
 }
 
 }  // namespace ecods::oracle

@@ -2,11 +2,13 @@
 //
 // Of a translation the first time is the least number of a linear program: weights of the corners of either triangle
 // that make one point of both. Where every point moves by itself, features meet at the common roots of polynomials of
-// the time, of degree 3 or less; each root from 0 to 1 is asked whether the features really share a point there. What
-// is left out: pairs of triangles of which the boxes of all their places, in integers, do not overlap, and those whose
-// projections on some line are apart at the start and at the first time that is known so far.
+// the time, of degree 3 or less; each root from 0 to 1 is asked whether the features really share a point there. Where
+// a body turns, coordinates are polynomials over the squared length of the quaternion, which has no root and is divided
+// out. What is left out: pairs of triangles of which the boxes of all their places, in integers, do not overlap, and
+// those whose projections on some line are apart at the start and at the first time that is known so far.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "oracle/distance.hpp"
@@ -31,5 +33,13 @@ struct MovingSoup {
     Pose to;
 };
 std::optional<ExactContact> first_contact(const MovingSoup& a, const MovingSoup& b);
+
+// A soup that turns from its own pose, as include/ecods/turn.hpp says, by a quaternion w, x, y, z.
+struct TurningSoup {
+    Soup from;
+    std::array<double, 4> q;
+    Vec3 pivot_from, pivot_to;
+};
+std::optional<ExactContact> first_contact(const TurningSoup& a, const Soup& b);
 
 }  // namespace ecods::oracle

@@ -42,14 +42,22 @@ bool is_positive(const Number& x) {
     return x.sign() > 0;
 }
 
-TriangleOf<Number> numbers_of(const MovingTriangle& triangle, const Moment& moment) {
+TriangleOf<Number> numbers_of(const PolynomialCorners& polynomials, const Moment& moment) {
     std::array<Vector<Number>, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            corners[i][k] = {Polynomial({triangle.from[i][k], triangle.change[i][k]}), &moment};
-        }
+        for (std::size_t k = 0; k < 3; ++k) corners[i][k] = {polynomials[i][k], &moment};
     }
     return TriangleOf<Number>(corners);
+}
+
+PolynomialCorners polynomials_of(const MovingTriangle& triangle) {
+    PolynomialCorners corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[i][k] = Polynomial({triangle.from[i][k], triangle.change[i][k]});
+        }
+    }
+    return corners;
 }
 
 // The polynomial whose roots are those of all three.
@@ -80,8 +88,13 @@ Polynomial condition(const FeaturePair& pair, const TriangleOf<Number>& a, const
 
 class Motion final : public PairMotion {
   public:
-    Motion(const MovingTriangle& a, const MovingTriangle& b) : a_(numbers_of(a, moment_)), b_(numbers_of(b, moment_)) {
-        for (const FeaturePair& pair : feature_pairs()) conditions_.push_back(condition(pair, a_, b_));
+    Motion(const PolynomialCorners& a, const PolynomialCorners& b, const Polynomial& factor)
+        : a_(numbers_of(a, moment_)), b_(numbers_of(b, moment_)) {
+        for (const FeaturePair& pair : feature_pairs()) {
+            Polynomial zero_there = condition(pair, a_, b_);
+            if (!zero_there.is_zero() && !factor.is_constant()) zero_there = without_factor(zero_there, factor);
+            conditions_.push_back(std::move(zero_there));
+        }
     }
 
     // What is true all the time begins where something else is true: a vertex is in the plane of a face, and enters
@@ -123,7 +136,12 @@ class Motion final : public PairMotion {
 }  // namespace
 
 std::unique_ptr<PairMotion> make_motion(const MovingTriangle& a, const MovingTriangle& b) {
-    return std::make_unique<Motion>(a, b);
+    return make_motion(polynomials_of(a), polynomials_of(b), Polynomial(1));
+}
+
+std::unique_ptr<PairMotion> make_motion(const PolynomialCorners& a, const PolynomialCorners& b,
+                                        const Polynomial& factor) {
+    return std::make_unique<Motion>(a, b, factor);
 }
 
 }  // namespace ecods::oracle

@@ -1,4 +1,4 @@
-// Two triangles of which every corner moves on a straight line.
+// Two triangles of which every corner moves: on a straight line, or as polynomials of the time say.
 #pragma once
 
 #include <cstddef>
@@ -30,5 +30,11 @@ class PairMotion {
 std::unique_ptr<PairMotion> make_translation(const MovingTriangle& a, const MovingTriangle& b);
 // Of any.
 std::unique_ptr<PairMotion> make_motion(const MovingTriangle& a, const MovingTriangle& b);
+
+// Coordinates of corners, times a polynomial that is positive from time 0 to 1.
+using PolynomialCorners = std::array<Vector<Polynomial>, 3>;
+// Of two that have the same such factor, which divides some polynomials.
+std::unique_ptr<PairMotion> make_motion(const PolynomialCorners& a, const PolynomialCorners& b,
+                                        const Polynomial& factor);
 
 }  // namespace ecods::oracle

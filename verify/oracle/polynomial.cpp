@@ -140,6 +140,16 @@ Polynomial gcd(const Polynomial& f, const Polynomial& g) {
     return a;
 }
 
+Polynomial without_factor(Polynomial f, const Polynomial& g) {
+    const Polynomial divisor = primitive(g);
+    while (f.degree() >= divisor.degree()) {
+        Division division = divide(f, divisor);
+        if (!division.remainder.is_zero()) break;
+        f = primitive(division.quotient);
+    }
+    return f;
+}
+
 // Of a root from 0 to 2^-bits: to the powers of two beside it, which may be far below.
 void Root::find_exponent() {
     const auto is_below = [&](unsigned long bits) {

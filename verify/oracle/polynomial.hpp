@@ -36,6 +36,10 @@ class Polynomial {
 // The greatest common divisor but for a constant factor; that of zero and zero is zero.
 Polynomial gcd(const Polynomial& f, const Polynomial& g);
 
+// f over g^k, but for a constant factor, with the largest k for which g^k divides f. Neither is zero; g is not
+// constant.
+Polynomial without_factor(Polynomial f, const Polynomial& g);
+
 // A root, from 0 to 1, of a polynomial: a number, or the only root from low / 2^bits to (low + 1) / 2^bits, at which
 // the polynomial has different signs.
 class Root {

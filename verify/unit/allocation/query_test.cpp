@@ -18,6 +18,7 @@
 #include "ecods/intersection.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
+#include "ecods/turn.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/allocation/answer_digest.hpp"
 #include "unit/allocation/pair_scene.hpp"
@@ -41,6 +42,12 @@ std::optional<FirstContact> move_past(Pair& p) {
     end.R = Vec3(-1, -1, 1).asDiagonal();
     end.t = -0.5 * p.pose_b.t;
     return cast(Moving<MeshShape>(*p.b, p.pose_b, end), Moving<MeshShape>(*p.a, p.pose_a, p.pose_a), 1, p.memory);
+}
+
+// About a pivot beside both, so that its way leads past the other one.
+std::optional<FirstContact> turn_past(Pair& p) {
+    const Turn turn{{0.5, 0.25, 0, 1}, {0, 2, 0}, {0, 2.5, 0.25}};
+    return cast(Turning<MeshShape>(*p.b, p.pose_b, turn), p.first(), 1, {p.memory, p.witness});
 }
 
 // Triangles with corners of their own, a face of two halves beside one of one part.
@@ -106,6 +113,7 @@ const PairCall questions[] = {
      [](Pair& p) { p.answer = digest(cast(p.second(), -1.5 * p.pose_b.t, p.first(), 1, p.memory)); }},
     {"cast of a translation, with a witness", [](Pair& p) { p.answer = digest(cast_past(p)); }},
     {"cast between poses", [](Pair& p) { p.answer = digest(move_past(p)); }},
+    {"cast of a turning body", [](Pair& p) { p.answer = digest(turn_past(p)); }},
     {"certify", [](Pair& p) { p.answer = digest(certify(p.first(), p.second(), p.memory)); }},
     {"certify_distance", [](Pair& p) { p.answer = digest(certify_distance(p.first(), p.second(), p.memory)); }},
     {"certify_within", [](Pair& p) { p.answer = digest(certify_within(p.first(), p.second(), 0x1p-6, p.memory)); }},

@@ -1,0 +1,24 @@
+// Bodies that turn towards bodies at rest, by family; some with times that are known without computing one.
+// The table of turn_cases.cpp says what each family makes.
+#pragma once
+
+#include <memory>
+
+#include "ecods/mesh.hpp"
+#include "ecods/turn.hpp"
+#include "scenes/cast_cases.hpp"
+#include "scenes/families.hpp"
+
+namespace ecods::scenes {
+
+// a turns.
+struct TurnCase {
+    std::shared_ptr<const Mesh> a, b;
+    Pose pose_a, pose_b;
+    Turn turn = {};
+    KnownTime time = {};
+};
+
+Families<TurnCase> turn_families();
+
+}  // namespace ecods::scenes
