@@ -294,12 +294,10 @@ class ECODS_API World {
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
-    // Returns the body that the subject, so translated, goes into first (entering() in cast.hpp), by rounded times,
-    // then ids. Throws NotSupported unless it and all bodies that it may meet are surfaces, or all are solids with
-    // inner points. Cost: a pass over the bodies, and entering() of those on the way. No trace has it.
+    // Returns the body that the subject, so translated, enters first (cast.hpp), by rounded times, then ids. Throws
+    // NotSupported unless it and all that it may meet are surfaces, or all solids with inner points. In no trace.
     [[nodiscard]] std::optional<BodyEntry> entering(const Asked& subject, const Vec3& motion,
                                                     const Ask& ask = {}) const;
-
     // Returns the point and normal of a contact that cast(subject, motion) returned (contact.hpp, with its errors).
     [[nodiscard]] ContactPoint contact_point(const Asked& subject, const Vec3& motion, const BodyContact& contact,
                                              const Ask& ask = {}) const;

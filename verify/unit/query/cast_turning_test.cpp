@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "base/next.hpp"
@@ -164,9 +163,7 @@ TEST(CastTurning, FirstOfAllPairs) {
     const MeshShape ball(scenes::sphere(3, 2)), ring(scenes::torus(3, 3, 0.4)), box(scenes::cube(0.5));
     const std::array<const MeshShape*, 3> shapes{&ball, &ring, &box};
     int met = 0, missed = 0;
-    const char* const soak = std::getenv("SOAK");
-    const int runs = soak ? std::atoi(soak) : 40;
-    for (int run = 0; run < runs; ++run) {
+    for (int run = 0; run < 40; ++run) {
         const MeshShape &a = *shapes[random.below(3)], &b = *shapes[random.below(3)];
         const bool is_lattice = random.below(3) == 0;
         const auto vector = [&](double size) {

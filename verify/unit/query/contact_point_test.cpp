@@ -43,6 +43,21 @@ TEST(ContactPoint, OfACubeThatLandsFlat) {
     }
 }
 
+// A corner lands on the diagonal of a face of the floor: triangles on both sides of it count.
+TEST(ContactPoint, OfACubeThatLandsOnADiagonal) {
+    const Solid cube(box({0, 0, 0}, {1, 1, 1})), floor(box({-8, -8, -1}, {8, 8, 0}));
+    int edges = 0;
+    for (const Vec3& motion : {Vec3(2, 1, -1), Vec3(1, 2, -1), Vec3(-3, 4, -1), Vec3(-4, 1, -1)}) {
+        const Vec3 landing = motion[1] > 1.5 ? Vec3(1, 1, 0) : Vec3(1, -1, 0);
+        const Posed<MeshShape> a{cube, at(landing - 0.5 * motion)}, b{floor, Pose()};
+        const auto contact = cast(a, motion, b);
+        ASSERT_TRUE(contact);
+        edges += contact->kind == ClosestKind::vertex_edge;
+        EXPECT_EQ(contact_point(a, motion, b, *contact).normal, Vec3(0, 0, -1));
+    }
+    EXPECT_GE(edges, 2);
+}
+
 TEST(ContactPoint, OfEachKind) {
     const MeshShape sheet(Mesh::create({{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}, {{0, 1, 2}}));
     const MeshShape tip(

@@ -160,6 +160,19 @@ TEST(TurnContacts, GlidesAndScrews) {
     expect_contact(cast_turning(tip, screw, wall_from(1 - 0x1p-50)), 1 / 3.0, ClosestKind::vertex_face);
     const Contact later = cast_turning(tip, screw, wall_from(1 + 0x1p-50));
     EXPECT_TRUE(!later || later->time > 1 / 3.0);
+    // The pivot goes by (1, -1, 0) until 1 / 3, when a half-plane about it reaches the point at (1, -1, 0) + (3, 4, 0):
+    // a face, an edge that crosses another one, and a segment in one plane with the point.
+    const Turn across = with_glide({0, 0, 0, 1}, {3, -3, 0});
+    const Vec3 p(4, 3, 0);
+    expect_contact(cast_turning({{2, 0, -2}, {2, 0, 2}, {9, 0, 0}}, across, {p, p, p}), 1 / 3.0,
+                   ClosestKind::vertex_face);
+    expect_contact(cast_turning({{2, 0, 0}, {9, 0, 0}, {2, 0, 0}}, across, {p - Vec3(0, 0, 1), p + Vec3(0, 0, 1), p}),
+                   1 / 3.0, ClosestKind::vertex_edge);
+    expect_contact(cast_turning({{2, 0, 0}, {9, 0, 0}, {2, 0, 0}}, across,
+                                {p - Vec3(0, 0, 1), p + Vec3(0, 0, 1), p + Vec3(0, 0, 2)}),
+                   1 / 3.0, ClosestKind::edge_edge);
+    expect_contact(cast_turning({{2, 0, 0}, {9, 0, 0}, {2, 0, 0}}, across, {p, p, p}), 1 / 3.0,
+                   ClosestKind::vertex_edge);
     // The end of the pivot's way is where it is said to be, though the difference is not a double.
     QueryMemory memory;
     const Turn long_way{{1, 0, 0, 0}, {0, 0, 0x1p-60}, {0, 0, -1}};
