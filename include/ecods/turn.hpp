@@ -46,8 +46,9 @@ namespace ecods {
 //
 // Cost: the way is searched as several straight moves, as many as the bodies' nearness needs: mostly less than twice as
 // much as the cast of one. The exact decision of two triangles, usually one in a cast, takes some tenths of a
-// millisecond. If the pivot is 10^12 sizes of the bodies away or more, doubles do not tell triangles apart, and most
-// pairs are decided exactly.
+// millisecond. Throw NotSupported where doubles would tell nothing, so that all pairs had to be decided exactly: for a
+// turn within some 2^-28 of a whole one; |v| below 2^-500, or |v| or |w| above 2^500; and a pivot or glide above 2^500
+// times as large as the bodies.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Posed<MeshShape>& b,
                                                          double max_time = 1, const Ask& ask = {});
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Vec3& motion_of_b,

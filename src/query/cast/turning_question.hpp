@@ -21,9 +21,11 @@ namespace ecods {
 // Bound. The places of the body at both ends of a piece are rounded. Each entry of its pose is computed like a corner
 // in turning_points.hpp, from exact numbers, or from a pivot that is off by u' of itself: it is off by less than u'
 // (140 (1
-// + k) |sin| + 8) times the sum of magnitudes of its column. With the sum of such errors of a point, of its distance in
-// place of its coordinates (a factor of sqrt(3)), and of the distance of both poses, this is less than 512 u' (1 + k)
-// times the sum of all magnitudes, `size_`.
+// + k) |sin| + 8) times the sum of magnitudes of its column; for the translation, these are the pivot's, times 140 (1 +
+// k) |sin| alone, and the glide's. With the sum of such errors of a point, of its distance in place of its coordinates
+// (a factor of sqrt(3)), and of the distance of both poses, this is less than 512 u' times the sum of magnitudes at
+// rest and of the glide so far, and (1 + k) |sin| times the sum of magnitudes of what turns. About half of it is left
+// over, for a center of the body that is posed so, and its distance from the other center.
 // Claim: verify/proofs/turn_pieces.md
 class TurnMotion : public TurningPairs {
   public:
@@ -57,16 +59,21 @@ class TurnMotion : public TurningPairs {
         Vec3 t;
     };
     Place place_at(const exact::HalfAngle& half) const;
+    void require_moderate(double sizes, double way) const;
 
     const Mat3* a_start_ = nullptr;
     const Mat3* b_pose_ = nullptr;
     std::array<const MeshBvh*, 2> trees_{};
-    Vec3 between_ = Vec3::Zero();  // from the translation of a's pose at the start to that of b's
-    double radius_ = 0;            // upper bound of the distance of a's points from the axis
-    double size_ = 0, way_ = 0, wide_ = 0;
+    Vec3 between_ = Vec3::Zero();          // from the translation of a's pose at the start to that of b's
+    double radius_ = 0;                    // upper bound of the distance of a's points from the axis
+    double size_ = 0, arm_ = 0, way_ = 0;  // of the body and the distance of both, of the pivot beside it, of the glide
+    double wide_ = 0, narrow_ = 0;
+    double balls_ = 0;               // sum of the radii of balls that contain the bodies
+    std::array<Vec3, 2> centers_{};  // of these balls: of a before its pose, of b as posed
 
     double from_ = 0, to_ = 1;
     exact::HalfAngle at_from_{}, at_to_{};
+    std::array<Vec3, 2> gaps_{};  // from the center of b to that of a, at both ends
     exact::TurnPiece piece_;
     double near_ = 0;  // upper bound of the distance from the straight motion, without rounding
     double margin_ = 0;

@@ -124,6 +124,23 @@ TEST(Turns, RefusedWithTheirReason) {
     }
 }
 
+// Where doubles say nothing, a cast does not decide all pairs of triangles exactly, which might never end.
+TEST(Turns, ThoseThatDoublesCannotFollowAreRefused) {
+    const MeshShape shape(scenes::cube(1));
+    const auto ask = [&](const Quaternion& q, const Vec3& pivot) {
+        return cast(Turning<MeshShape>(shape, Pose(), Turn{q, pivot, pivot}), {shape, {Mat3::Identity(), {9, 9, 9}}});
+    };
+    EXPECT_THROW(static_cast<void>(ask({-1, 0, 0, 0x1p-30}, Vec3::Zero())), NotSupported);
+    EXPECT_THROW(static_cast<void>(ask({1, 0, 0, 0x1p-501}, Vec3::Zero())), NotSupported);
+    EXPECT_THROW(static_cast<void>(ask({1, 0, 0x1p501, 0}, Vec3::Zero())), NotSupported);
+    EXPECT_THROW(static_cast<void>(ask({1, 0, 0, 1}, {0x1p505, 0, 0})), NotSupported);
+    for (const double far : {0.0, 0x1p40, 0x1p300, 0x1p490}) {
+        for (const Quaternion& q : {Quaternion{1, 0, 0, 1}, {1, 0, 0, 0x1p-499}, {-1, 0, 0, 0x1p-28}}) {
+            EXPECT_EQ(ask(q, {far, 0, 0}), std::nullopt) << far << ", " << q.z;
+        }
+    }
+}
+
 TEST(Turns, OtherArgumentsAreRefused) {
     const MeshShape shape(scenes::cube(1));
     const Turn turn{{1, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}};

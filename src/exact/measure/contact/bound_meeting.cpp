@@ -118,7 +118,7 @@ class Turned {
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return corners_.is_bounded(); }
     ECODS_ALWAYS_INLINE At at(double s) const noexcept { return corners_.at(s); }
     ECODS_ALWAYS_INLINE Chord chord(const At& from, const At& to) const noexcept {
-        const TurnPiece piece = TurnAngles::piece(from.half, to.half);
+        const TurnPiece piece = corners_.piece(from, to);
         return {piece, corners_.margin(piece, to.half.time - from.half.time)};
     }
 

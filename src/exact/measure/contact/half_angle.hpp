@@ -66,6 +66,9 @@ class TurnAngles {
     bool is_bounded() const noexcept { return is_bounded_; }
     const Point& axis() const noexcept { return axis_; }  // zero if the body only glides
 
+    // Returns about the greatest condition at any time: for w < 0, near a = 0, it is 2 |w| / |v|.
+    double condition_limit() const noexcept { return w_ < 0 ? -2 * w_ / length_ : 1; }
+
     ECODS_ALWAYS_INLINE HalfAngle at(double s) const noexcept {
         const double rest = 1 - s, a = rest + s * w_, b = s * length_;
         const double h = std::sqrt(a * a + b * b);
@@ -83,20 +86,23 @@ class TurnAngles {
     // Returns bounds for the piece between two times. The sagitta is infinite if the piece is a third of a turn or
     // more, or if its weights differ by a factor of 2^20.
     //
-    // Let z0 and z1 be the quaternions at its ends: w0 = |z0|^2, w1 = z0.z1 and w2 = |z1|^2, here divided by w0. Cosine
-    // and sine of half the piece's angle are off by less than off = 32 u' (1 + k0 + k1). The quotient of lengths is off
-    // by 8 u' (1 + k0 + k1) of itself. With a cosine of at least 1/2, weights are off by less than 8 off of themselves.
-    ECODS_ALWAYS_INLINE static TurnPiece piece(const HalfAngle& z0, const HalfAngle& z1) noexcept {
+    // Let z0 and z1 be the quaternions at its ends: w0 = |z0|^2, w1 = z0.z1 and w2 = |z1|^2, here divided by w0. The
+    // cosine of half the piece's angle is off by less than off = 32 u' (1 + k0 + k1). Its sine is (a0 b1 - a1 b0) / (h0
+    // h1) = |v| (s1 - s0) / (h0 h1): h is off by 3.01 u' k + 7.1 u' of itself, |v| by 3 u', and four roundings add 4.1
+    // u', so the sine is off by less than `off` of itself, however small it is. Squares that underflow are below
+    // 2^-1000. The quotient of lengths is off by 8 u' (1 + k0 + k1) of itself. With a cosine of at least 1/2, weights
+    // are off by less than 8 off of themselves.
+    ECODS_ALWAYS_INLINE TurnPiece piece(const HalfAngle& z0, const HalfAngle& z1) const noexcept {
         const double off = 32 * two_u * (1 + z0.condition + z1.condition);
         const double cos = (z0.cos * z1.cos + z0.sin * z1.sin) - off;
-        const double sin = std::abs(z1.sin * z0.cos - z1.cos * z0.sin) + off;
-        if (!(cos >= 0.5) || !(off < 0x1p-40)) return {};
+        const double sin = length_ * (z1.time - z0.time) / (z0.length * z1.length) * (1 + off);
+        if (!(cos >= 0.5) || !(off < 0x1p-14)) return {};  // conditions below condition_max suffice
         const double ratio = z1.length / z0.length;
         const double w1 = ratio * cos, w2 = ratio * ratio;
         const double least = std::min({1.0, w1, w2}), most = std::max({1.0, w1, w2});
         if (!(least > 0x1p-20 * most)) return {};
         TurnPiece result;
-        result.sagitta = sin * sin / (1 + cos) * (1 + 16 * two_u);
+        result.sagitta = sin * sin / (1 + cos) * (1 + 16 * two_u) + 0x1p-1000;
         const double step = std::max(std::abs(w1 - 1), std::abs(w2 - w1)) + 16 * off * most;
         result.shift = step / (4 * least) * (1 + 32 * off);
         result.pace = least / most * (1 - 32 * off);

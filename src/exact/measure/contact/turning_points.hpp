@@ -105,6 +105,9 @@ class TurningCorners {
         return result;
     }
 
+    ECODS_ALWAYS_INLINE TurnPiece piece(const At& from, const At& to) const noexcept {
+        return angles_.piece(from.half, to.half);
+    }
     // Returns an upper bound of the distance of corners from their straight motion, for a piece of this length in time.
     // A glide that is lost to underflow is below 2^-620.
     ECODS_ALWAYS_INLINE double margin(const TurnPiece& piece, double length) const noexcept {
