@@ -46,7 +46,7 @@ namespace ecods {
 //
 // Cost: the way is searched as several straight moves, as many as the bodies' nearness needs: mostly less than twice as
 // much as the cast of one. The exact decision of two triangles, usually one in a cast, takes some tenths of a
-// millisecond. Throw NotSupported where doubles would tell nothing, so that all pairs had to be decided exactly: for a
+// millisecond. Throw NotSupported where no bound in doubles holds, so that all pairs had to be decided exactly: for a
 // turn within some 2^-28 of a whole one; |v| below 2^-500, or |v| or |w| above 2^500; and a pivot or glide above 2^500
 // times as large as the bodies.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Posed<MeshShape>& b,

@@ -66,7 +66,7 @@ void TurnMotion::bind(const Turning<MeshShape>& a, const Vec3& motion, const Pos
     narrow_ = narrow_min * reach;
 }
 
-// Beyond these limits bounds in doubles tell nothing, and all pairs of triangles would be decided exactly.
+// Beyond these limits bounds in doubles exclude nothing, and all pairs of triangles would be decided exactly.
 void TurnMotion::require_moderate(double sizes, double way) const {
     if (angles().condition_limit() > exact::TurnAngles::condition_max) {
         throw NotSupported("the turn is within some 2^-28 of a whole one: turn twice");
@@ -92,7 +92,8 @@ void TurnMotion::set_piece(double from, double to) {
     margin_ = (near_ + 512 * two_u * off) * (1 + 16 * two_u) + 0x1p-600;
     const bool is_bounded = angles().is_bounded() && size_ + arm_ + way_size() < 0x1p1000;
     if (!is_bounded || !(condition < exact::TurnAngles::condition_max)) margin_ = infinity;
-    // Where the rotation is not known at both ends, it is known nowhere between them.
+    // The rotation is known nowhere between two ends at which it is not known: h is convex, so the times at which
+    // condition_max h is at most 1 - s + s |w| are an interval.
     const bool is_known = std::min(at_from_.condition, at_to_.condition) < exact::TurnAngles::condition_max;
     may_divide_ = is_bounded && is_known && !(near_ <= narrow_) && from < to;
     step_count_ = 0;
