@@ -114,6 +114,26 @@ void require_order(const std::vector<BodyHit>& hits, const World& world) {
     }
 }
 
+// The sides of hits are those of the same hits, and between two hits that follow each other a line has one side.
+template <class Line>
+void check_sides(const Line& line, const Posed<MeshShape>& body, QueryMemory& memory, Counters& counters) {
+    const std::vector<Hit> hits = all_hits(line, body, memory);
+    const std::vector<SidedHit> sided = sided_hits(line, body, memory);
+    const auto fail = [&](std::size_t i) {
+        throw CheckFailed("sides of hits", "one side between hits", fmt::format("hit {} of {}", i, sided.size()));
+    };
+    if (sided.size() != hits.size()) fail(0);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const SidedHit& now = sided[i];
+        if (now.hit.parameter != hits[i].parameter || now.hit.feature != hits[i].feature) fail(i);
+        if (i == 0 || now.hit.rank == sided[i - 1].hit.rank) continue;
+        const SidedHit& before = sided[i - 1];
+        const bool are_sides = before.after != Side::on && now.before != Side::on;
+        if (are_sides && before.hit.kind != HitKind::along && before.after != now.before) fail(i);
+    }
+    counters["checked: sides of hits"] += sided.size();
+}
+
 template <class Line>
 void check_line(std::span<World* const> worlds, const Line& line, const std::optional<CollisionFilter>& filter,
                 Counters& counters) {
@@ -125,6 +145,8 @@ void check_line(std::span<World* const> worlds, const Line& line, const std::opt
         const auto shape = first.shape(body);
         try {
             for (const Hit& hit : hits_of(line, *shape, first.pose(body), memory)) expected.push_back({body, hit});
+            if (shape->kind() == ShapeKind::mesh())
+                check_sides(line, mesh_at(*shape, first.pose(body)), memory, counters);
         } catch (const NotSupported&) {  // of a radius that is tiny beside its core (rounded.hpp)
             ++counters["lines at rounded bodies that are not decided"];
             return;
