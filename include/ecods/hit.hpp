@@ -90,9 +90,9 @@ struct BodyHitLists {
 // which of these triangles the hit names, nor on the order of triangles, unless two normals tie. It points out of a
 // solid whose triangles are counterclockwise seen from outside, at a pose that does not mirror.
 //
-// Empty if no triangle counts, for the kind `inside`, or if the line has no such hit. Throw InvalidArgument. Cost:
-// about two microseconds for a face; otherwise that of all_hits(), and some microseconds for each triangle at the
-// parameter.
+// Empty if no triangle counts, for the kind `inside`, or if the line has no such hit at an edge or a vertex (a hit of a
+// face is not looked for). Throw InvalidArgument. Cost: about two microseconds for a face; otherwise that of
+// all_hits(), and some microseconds for each triangle at the parameter.
 [[nodiscard]] ECODS_API std::optional<Vec3> hit_normal(const Segment& segment, const Posed<MeshShape>& body,
                                                        const Hit& hit, const Ask& ask = {});
 [[nodiscard]] ECODS_API std::optional<Vec3> hit_normal(const Ray& ray, const Posed<MeshShape>& body, const Hit& hit,

@@ -68,8 +68,8 @@ namespace ecods {
 // mirrors and the other does not, shears or is singular (Argument::pose).
 [[nodiscard]] ECODS_API Turn between(const Pose& from, const Pose& to, const Vec3& pivot_in_body);
 
-// Returns the pose at a time of a body that starts at `pose`, each entry rounded once: to show it, or to go on from it.
-// Throws InvalidArgument; also if the time is not from 0 to 1.
+// Returns the pose at a time of a body that starts at `pose`, each entry rounded once (a number that is not 0 is never
+// rounded to 0): to show it, or to go on from it. Throws InvalidArgument; also if the time is not from 0 to 1.
 [[nodiscard]] ECODS_API Pose pose_at(const Pose& pose, const Turn& turn, double time);
 
 // Return the angle in radians, from 0 to below 2 pi, by which a body has turned at a time from 0 to 1; and the time at

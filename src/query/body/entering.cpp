@@ -65,6 +65,7 @@ std::optional<FirstEntry> entering(const Posed<MeshShape>& a, const Vec3& motion
 std::optional<Pose> pose_before(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, double time,
                                 const Ask& ask) {
     validate_motion(motion);
+    if (key_of(time) > key_of(1.0)) throw invalid_time(time);
     const double latest = require_time(time);
     Asking asking(ask);
     QueryMemory& memory = asking.memory();

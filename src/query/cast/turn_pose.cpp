@@ -133,7 +133,8 @@ double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const
         const Vec3 gap = difference.R * v + difference.t;
         const Vec3 off = 8 * two_u * (size * v.cwiseAbs() + difference.t.cwiseAbs());
         const Vec3 above = gap.cwiseAbs() + off;
-        const double length = std::sqrt(above.squaredNorm());
+        // The sum is an upper bound, too, where squares may overflow.
+        const double sum = above.sum(), length = sum < 0x1p500 ? std::sqrt(above.squaredNorm()) : sum;
         if (!(length <= most)) most = length;
     });
     // A sum that overflows is above this limit in every rounding mode.

@@ -149,6 +149,12 @@ std::optional<Projection> project(const ScaledLongVector& m, std::span<const Sca
     return best;
 }
 
+// True if the body is a surface, a segment or a point, which zero-area triangles are part of.
+bool has_flat_triangles(const MeshShape& shape) {
+    return shape.form() == MeshForm::surface ||
+           (shape.form() == MeshForm::convex && static_cast<const ConvexSolid&>(shape).dimension() < 2);
+}
+
 // The vectors from the common point to the corners of each triangle of a body that contains the feature, times the
 // denominator. Corners with equal coordinates are one vertex.
 std::vector<std::array<ScaledLongVector, 3>> triangles_at(const Posed<MeshShape>& body, const Feature& feature,
@@ -159,13 +165,13 @@ std::vector<std::array<ScaledLongVector, 3>> triangles_at(const Posed<MeshShape>
     const auto has = [&](const Triangle& t, const Vec3& v) {
         return std::ranges::any_of(t, [&](std::uint32_t i) { return compare_points(mesh.vertices()[i], v) == 0; });
     };
-    const bool is_surface = body.what->form() == MeshForm::surface;
+    const bool takes_all = has_flat_triangles(*body.what);
     std::vector<std::array<ScaledLongVector, 3>> found;
     for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
         const Triangle& t = mesh.triangles()[i];
         if (feature.kind == Kind::face ? i != feature.triangle : !has(t, vertex(named, feature.corner))) continue;
         if (feature.kind == Kind::edge && !has(t, vertex(named, feature.corner + 1))) continue;
-        if (!is_surface && !have_area(vertex(t, 0), vertex(t, 1), vertex(t, 2))) continue;
+        if (!takes_all && !have_area(vertex(t, 0), vertex(t, 1), vertex(t, 2))) continue;
         auto corners = corners_of(body, i);
         for (ScaledLongVector& corner : corners) {
             corner = minus(times(corner, contact.den), contact.point);

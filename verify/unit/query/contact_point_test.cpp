@@ -90,6 +90,18 @@ TEST(ContactPoint, OfEachKind) {
     EXPECT_EQ(tips.normal, Vec3(-0.6, 0, -0.8));
 }
 
+// A flat solid without a face has zero-area triangles only, which count.
+TEST(ContactPoint, OfSegmentsAndPoints) {
+    const ConvexSolid point(std::vector<Vec3>{{0, 0, 0}}), rod(std::vector<Vec3>{{0, 0, 0}, {0, 0, 4}});
+    const Solid cube(box({-1, -1, -1}, {1, 1, 1}));
+    for (const ConvexSolid* const thin : {&point, &rod}) {
+        for (const double y : {0.0, 1.0}) {
+            const Posed<MeshShape> a{*thin, at({-5, y, -2})}, b{cube, at({0, 0, -1})};
+            EXPECT_EQ(point_of(a, {8, 0, 0}, b).normal, Vec3(1, 0, 0)) << y;
+        }
+    }
+}
+
 TEST(ContactPoint, AtTheStart) {
     const Solid cube(box({0, 0, 0}, {1, 1, 1})), small(box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}));
     const ContactPoint touching = point_of({cube, Pose()}, {1, 0, 0}, {cube, at({1, 0, 0})}, ClosestKind::intersecting);

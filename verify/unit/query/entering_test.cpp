@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -165,7 +166,9 @@ TEST(Entering, RefusesByName) {
     EXPECT_THROW(static_cast<void>(entering({cube, {Mat3::Zero(), Vec3::Zero()}}, {1, 0, 0}, {cube, Pose()})),
                  NotSupported);
     EXPECT_THROW(static_cast<void>(entering({cube, Pose()}, {NAN, 0, 0}, {cube, Pose()})), InvalidArgument);
-    EXPECT_THROW(static_cast<void>(pose_before({cube, Pose()}, {1, 0, 0}, {cube, Pose()}, -1)), InvalidArgument);
+    for (const double time : {-1.0, 1.125, std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW(static_cast<void>(pose_before({cube, Pose()}, {1, 0, 0}, {cube, Pose()}, time)), InvalidArgument);
+    }
     World world;
     world.create_body(std::make_shared<const MeshShape>(cube.mesh_ptr()), at({50, 0, 0}));
     world.update();

@@ -322,6 +322,11 @@ TEST(Turns, BetweenPoses) {
         EXPECT_EQ(turn.q.w, 0);
         EXPECT_LE(end_gap(shape, Pose(), turn, to), 0x1p-46);
     }
+    // A gap whose square overflows, also where it rounds down to the largest double.
+    std::fesetround(FE_DOWNWARD);
+    const double far = end_gap(shape, Pose(), turn_of({1, 0, 0, 1}), Pose{Mat3::Identity(), Vec3(0x1p700, 0, 0)});
+    std::fesetround(FE_TONEAREST);
+    EXPECT_GE(far, 0x1p700);
 }
 
 }  // namespace
