@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/next.hpp"
+#include "ecods/builders.hpp"
 #include "ecods/error.hpp"
 #include "ecods/intersection.hpp"
 #include "ecods/turn.hpp"
@@ -244,6 +245,17 @@ TEST(CastTurning, PosesAndGaps) {
     EXPECT_THROW(static_cast<void>(between(Pose(), flat_pose, Vec3::Zero())), InvalidArgument);
     EXPECT_EQ(between(Pose(), Pose(), Vec3(1, 2, 3)), (Turn{{}, {1, 2, 3}, {1, 2, 3}}));
     EXPECT_EQ(end_gap(ring, Pose(), Turn(), Pose()), 0);
+}
+
+// An arc leaves its chord across the axis only: bounds in doubles see a gap along the axis, however small it is.
+TEST(CastTurning, ADiskJustAboveAFloor) {
+    const Circumscribed disk = cylinder(1, 0.5, 24);
+    const MeshShape floor = shape_of({{-4, -4, -0.25}, {4, -4, -0.25}, {0, 8, -0.25}});
+    const Turning<MeshShape> a(*disk.solid, Pose{Mat3::Identity(), Vec3(0, 0, 0x1p-20)},
+                               Turn{{0, 0, 0, 1}, Vec3::Zero(), Vec3::Zero()});
+    QueryCounts counts;
+    EXPECT_FALSE(cast(a, {floor, Pose()}, 1, {counts}));
+    EXPECT_EQ(counts.casts.exact, 0U);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ using Double4 = Vec<double, 4>;
 using Four = std::array<Double4, 3>;  // three coordinates of four vectors, one vector in each lane
 
 // The largest numbers of steps, each of which shortens or splits an interval. More steps are needed only if both
-// triangles graze each other.
-constexpr int step_max = 96;
+// triangles graze each other. The exact decision of a turn takes as long as some thousand steps.
+constexpr int step_max = 96, turn_step_max = 512;
 constexpr int coarse_step_max = 3;
 // Limits how far an interval is split: the part that is searched next has at least 2^-32 of its length. The distance of
 // a chord's zero from the meeting shrinks as the square of the interval's length. So the first half of an interval is
@@ -104,11 +104,10 @@ class Turned {
     using At = TurningCorners::At;
     struct Chord {
         TurnPiece piece;
-        double margin;
+        Point margins;
 
-        // The margin is a length, which is at most the sum of magnitudes of its coordinates.
         ECODS_ALWAYS_INLINE Point widened(const Point& error) const noexcept {
-            return {error[0] + margin, error[1] + margin, error[2] + margin};
+            return {error[0] + margins[0], error[1] + margins[1], error[2] + margins[2]};
         }
         ECODS_ALWAYS_INLINE double earliest(double way) const noexcept { return piece.earliest(way); }
         ECODS_ALWAYS_INLINE double latest(double way) const noexcept { return piece.latest(way); }
@@ -119,7 +118,7 @@ class Turned {
     ECODS_ALWAYS_INLINE At at(double s) const noexcept { return corners_.at(s); }
     ECODS_ALWAYS_INLINE Chord chord(const At& from, const At& to) const noexcept {
         const TurnPiece piece = corners_.piece(from, to);
-        return {piece, corners_.margin(piece, to.half.time - from.half.time)};
+        return {piece, corners_.margins(piece, to.half.time - from.half.time)};
     }
 
   private:
@@ -137,7 +136,7 @@ class Bounds {
 
     ECODS_ALWAYS_INLINE std::optional<TimeSpan> first(double from, double to, int step_count) const noexcept {
         if (!motion_.is_bounded()) return TimeSpan{from, to};
-        std::array<double, step_max> later;  // ends of the intervals to be searched later; the next one is last
+        std::array<double, turn_step_max> later;  // ends of the intervals to be searched later; the next one is last
         std::size_t later_count = 0;
         double end = to;  // end of the interval that is being shortened
         int halvings = 1;
@@ -234,20 +233,20 @@ ECODS_ALWAYS_INLINE std::optional<TimeSpan> find_bound(const MotionPoints& point
     return Bounds<Motion>(points).first(from, to, step_count);
 }
 
-int steps_of(Effort effort) noexcept {
-    return effort == Effort::coarse ? coarse_step_max : step_max;
+int steps_of(Effort effort, int most) noexcept {
+    return effort == Effort::coarse ? coarse_step_max : most;
 }
 
 }  // namespace
 
 std::optional<TimeSpan> bound_first_meeting(const MovingPoints& points, double from, double to,
                                             Effort effort) noexcept {
-    return dispatch<find_bound<Straight, MovingPoints>>(points, from, to, steps_of(effort));
+    return dispatch<find_bound<Straight, MovingPoints>>(points, from, to, steps_of(effort, step_max));
 }
 
 std::optional<TimeSpan> bound_first_meeting(const TurningPoints& points, double from, double to,
                                             Effort effort) noexcept {
-    return dispatch<find_bound<Turned, TurningPoints>>(points, from, to, steps_of(effort));
+    return dispatch<find_bound<Turned, TurningPoints>>(points, from, to, steps_of(effort, turn_step_max));
 }
 
 }  // namespace ecods::exact

@@ -108,10 +108,20 @@ class TurningCorners {
     ECODS_ALWAYS_INLINE TurnPiece piece(const At& from, const At& to) const noexcept {
         return angles_.piece(from.half, to.half);
     }
-    // Returns an upper bound of the distance of corners from their straight motion, for a piece of this length in time.
-    // A glide that is lost to underflow is below 2^-620.
-    ECODS_ALWAYS_INLINE double margin(const TurnPiece& piece, double length) const noexcept {
-        return (radius_ * piece.sagitta + way_ * length * piece.shift) * (1 + 16 * two_u) + underflow;
+    // Returns upper bounds, on each axis, of how far corners are from their straight motion, for a piece of this length
+    // in time. A sagitta is across the axis of the turn, so coordinate k of a vector of this length is at most sqrt(1 -
+    // e_k^2) of it; both other coordinates of e are off by 4.01 u' of themselves, or lost if they are below 2^-500. A
+    // glide that is lost to underflow is below 2^-620.
+    ECODS_ALWAYS_INLINE Point margins(const TurnPiece& piece, double length) const noexcept {
+        const Point& e = angles_.axis();
+        Point result;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double x = e[(k + 1) % 3], y = e[(k + 2) % 3];
+            const double across = std::sqrt(x * x + y * y) * (1 + 16 * two_u) + 0x1p-499;
+            const double way = std::abs(glide_[k]) + 2 * glide_error_;
+            result[k] = (radius_ * piece.sagitta * across + way * length * piece.shift) * (1 + 16 * two_u) + underflow;
+        }
+        return result;
     }
     // Returns an upper bound of the way of a corner from the time of `at` to any time at most `span` from it.
     ECODS_ALWAYS_INLINE double way(const At& at, double span) const noexcept {
