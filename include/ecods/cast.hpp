@@ -74,7 +74,7 @@ struct BodyEntry {
 //
 // Two solids: the infimum of the times from 0 to 1 at which their interiors meet. They then meet at all times just
 // after it. Two surfaces: the first time before 1 at which a triangle of a goes properly into or through one of b: the
-// two share a point then and just before or after, and seen along the motion, they overlap inside. So surfaces that lie
+// two share a point then, and not at time 0 alone; and seen along the motion, they overlap inside. So surfaces that lie
 // on each other at the start do not enter (a sheet has no side), but such that come to lie on each other do; and
 // whether a lone sheet that moves edge on enters another one may depend on how both are cut into triangles, if the
 // edge runs along a diagonal. Equal cubes, one on the other, pushed together, enter as solids, and do not as surfaces:

@@ -117,8 +117,8 @@ enum class Passage : std::uint8_t {
 // outside beyond the line's ends. A hit of the kinds front and back crosses it. At an edge or a vertex, the line
 // crosses it if an odd number of the triangles that are hit first at the same real parameter are crossed by a line that
 // is shifted aside by an infinitesimal multiple of (1, k, k^2), for the least k = 0, 1, ... with which that line meets
-// none of the edges that the line itself hits. (If all edges there belong to an even number of triangles, any shift
-// gives the same answer.) All other hits graze it.
+// no edge of the triangles that are hit, prolonged, that is in a common plane with the line. (If all edges there belong
+// to an even number of triangles, any shift gives the same answer.) All other hits graze it.
 struct SidedHit {
     Hit hit;
     Side before = Side::outside, after = Side::outside;
