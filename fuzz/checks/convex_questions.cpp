@@ -100,7 +100,7 @@ void check_limit(World& world, double limit, std::vector<Answer> expected) {
     require_same("distances of convex solids", got, expected);
 }
 
-// Those of rounded bodies have tests of their own; one under a singular pose may end the question.
+// Depths of rounded bodies have tests of their own; a rounded body under a singular pose may end the question.
 void check_depths(World& world, std::vector<Answer> expected) {
     std::vector<BodyDepth> depths;
     try {

@@ -157,7 +157,7 @@ struct DepthAlong {
 // contact, of the pair whose projection is shortest; of ties the first pair of triangles. So a box that lands flat on a
 // floor has the floor's normal, whatever the way.
 //
-// Of several features that touch first, the contact names one, and both numbers are about that one alone.
+// The contact names one of several features that touch first, and both numbers are about that one alone.
 struct ContactPoint {
     Vec3 point = Vec3::Zero();
     std::optional<Vec3> normal;  // empty for a contact at time 0

@@ -118,39 +118,12 @@ void TurnTruth::add_limits(const Turning<MeshShape>& a, const Posed<MeshShape>& 
 }
 
 void TurnTruth::add_samples(const Turning<MeshShape>& a, const Posed<MeshShape>& b, int count) {
-    std::vector<double> times;
-    for (int i = 0; i <= count; ++i) times.push_back(static_cast<double>(i) / count);
-    if (exact_) times.push_back(exact_->rounded);
-    for (const double s : times) {
-        const int order = exact_ ? exact_->time.compare(mpq_class(s)) : 1;
-        if (order < 0) continue;
-        const auto poses = poses_at(a, b.pose, s);
-        if (poses) samples_.push_back({s, {*a.what, (*poses)[0]}, {*b.what, (*poses)[1]}, order == 0});
-    }
+    WayTruth::add_samples(
+        sample_times(count), [&](double s) { return poses_at(a, b.pose, s); }, *a.what, *b.what);
 }
 
 std::optional<std::string> TurnTruth::contradiction() const {
     return oracle::contradiction(of_a_, of_b_, exact_);
-}
-
-std::optional<Wrong> TurnTruth::ask(QueryMemory& memory, PairWitness& witness) const {
-    for (const Question& question : questions_) {
-        const std::pair<const char*, std::optional<FirstContact>> asked[] = {
-            {"", question.ask(memory)},
-            {", with a witness", question.ask({memory, witness})},
-            {", with its own witness", question.ask({memory, witness})},
-            {", in the thread's memory", question.ask({})}};
-        for (const auto& [how, contact] : asked) {
-            if (is_same(contact, question.expected)) continue;
-            return Wrong{question.name + how, text(question.expected), text(contact)};
-        }
-    }
-    for (const Sample& sample : samples_) {
-        if (intersects(sample.a, sample.b, memory) == sample.intersects) continue;
-        return Wrong{fmt::format("intersects at time {:a}", sample.time), sample.intersects ? "yes" : "no",
-                     "the contrary"};
-    }
-    return std::nullopt;
 }
 
 }  // namespace ecods::judge

@@ -33,7 +33,7 @@ std::unique_ptr<PairMotion> make_motion(const MovingTriangle& a, const MovingTri
 
 // Coordinates of corners, times a polynomial that is positive from time 0 to 1.
 using PolynomialCorners = std::array<Vector<Polynomial>, 3>;
-// Of two that have the same such factor, which divides some polynomials.
+// Makes the motion of two that have the same such factor, which divides some polynomials.
 std::unique_ptr<PairMotion> make_motion(const PolynomialCorners& a, const PolynomialCorners& b,
                                         const Polynomial& factor);
 

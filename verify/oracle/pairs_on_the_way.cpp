@@ -56,7 +56,7 @@ std::vector<TimedPair> first_pairs(const PairsOnTheWay& pairs) {
     return found;
 }
 
-// What the rule compares, the first number first.
+// Returns the numbers that the rule compares, the first one first.
 auto rank(Closeness kind, const NamedFeature& first, const NamedFeature& second) {
     return std::tuple(kind, first.triangle, first.corner, second.triangle, second.corner, first.dimension);
 }

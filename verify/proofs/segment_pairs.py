@@ -12,7 +12,7 @@ of_u = constant(OUT, r"off = \((\d+) \* side->sum")
 of_z = constant(OUT, r"\? 0 : (\d+) \* sum_of_magnitudes")
 of_both = constant(OUT, r"sum_of_magnitudes\(to_doubles\(z_\)\) \+ (\d+);")
 claim(E + 2 <= of_u and E <= of_z and 3 * (E + 2) * E <= of_both, "z.u")
-# What a parameter that is off by less than 1 adds to a coordinate, of u off by E; and a conversion that is cut.
+# A parameter that is off by less than 1 adds this to a coordinate, of u off by E; and so does a conversion that is cut.
 claim((E + 2) + E + 1 <= constant(OUT, r"error = (\d+) \+ static_cast"), "a coordinate")
 
 # Doubles read from integers, products, and vectors that are off.

@@ -98,7 +98,7 @@ TEST(OracleTurn, OfEdgesPlanesAndPoints) {
            1, Closeness::vertex_face);
 }
 
-// Of every family, by both ways; recipes know some times.
+// Both ways find the same in every family; recipes know some times.
 TEST(OracleTurn, BothWaysAgree) {
     int met = 0, known = 0, apart = 0;
     scenes::for_each_case(scenes::turn_families(), 1, 12, [&](const scenes::TurnCase& made) {

@@ -137,7 +137,7 @@ TEST(HitNormal, OfOneHit) {
     ASSERT_TRUE(ridge);
     EXPECT_EQ(ridge->feature.kind, Feature::Kind::edge);
     EXPECT_EQ(*hit_normal(onto_ridge, body, *ridge), Vec3(0, 0.8, 0.6));  // the side that it comes from
-    // Of two faces at an edge, the one that is more opposed counts, however large the other one is.
+    // The more opposed one of two faces at an edge counts, however large the other one is.
     const MeshShape ridges(Mesh::create({{0, 0, 0}, {0, 2, 0}, {-80, 1, -80}, {4, 1, -3}}, {{0, 1, 2}, {1, 0, 3}}));
     const Ray down{{0, 1, 5}, {0, 0, -1}};
     EXPECT_EQ(*hit_normal(down, {ridges, Pose()}, *first_hit(down, {ridges, Pose()})), Vec3(0.6, 0, 0.8));
