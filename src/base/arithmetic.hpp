@@ -21,7 +21,8 @@ static_assert(std::numeric_limits<double>::is_iec559 && DBL_MANT_DIG == 53 && DB
 static_assert(FLT_EVAL_METHOD == 0);
 static_assert(CHAR_BIT == 8);
 
-// Twice the unit roundoff u = 2^-53: an upper bound of the relative error of one operation in any rounding mode.
+// two_u is twice the unit roundoff u = 2^-53: an upper bound of the relative error of one operation in any rounding
+// mode.
 inline constexpr double two_u = 0x1p-52;
 
 }  // namespace ecods

@@ -1,4 +1,4 @@
-// Functions that make the errors about bad input. Their texts are in error.cpp and builder_errors.cpp.
+// The functions below make the errors about bad input. Their texts are in error.cpp and builder_errors.cpp.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ NotSolid open_edge(const MeshEdge& edge, const std::array<NotSolid::Coordinates,
 NotSolid self_intersection(const TrianglePair& triangles);
 NotSolid dent(const MeshEdge& edge, std::size_t beyond, double depth);
 NotSolid no_interior(std::size_t point_count);
-NotSolid no_area(std::size_t point_count);  // of any triangle of a mesh
+NotSolid no_area(std::size_t point_count);  // no triangle of a mesh has an area
 
 InvalidArgument invalid_pose(int row, int column, double value);  // row and column of the 4x4 matrix [R t; 0 0 0 1]
 InvalidArgument invalid_box(int axis, double min, double max);
@@ -51,7 +51,7 @@ InvalidArgument invalid_time(double value);
 InvalidArgument invalid_list_length(std::size_t body_count, std::size_t pose_count);
 InvalidArgument null_argument(const std::string& name);
 InvalidArgument mesh_and_shape();
-// About the numbers given to builders, like the functions below.
+// The functions below make errors about the numbers given to builders.
 InvalidArgument invalid_size(const std::string& part, double value);
 InvalidArgument size_not_even(const std::string& part, double value);  // half of it is no double
 InvalidArgument size_too_large(const std::string& part, double value);

@@ -15,7 +15,7 @@
 
 namespace ecods {
 
-// The least normal float. Smaller positive floats are subnormal, and a processor may take those for zero.
+// float_min is the least normal float. Smaller positive floats are subnormal, and a processor may take them for zero.
 inline constexpr float float_min = std::numeric_limits<float>::min();
 
 // The magnitude of a number x is the bit pattern of |x|. Magnitudes have the same order as the absolute values.

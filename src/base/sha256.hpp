@@ -26,7 +26,7 @@ class Sha256 {
 
     void compress(const unsigned char* block) noexcept;
 
-    // initially the fractional parts of the square roots of the first eight primes, 32 bits each (5.3.3)
+    // The initial state is the fractional parts of the square roots of the first eight primes, 32 bits each (5.3.3).
     Digest state_ = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     Block rest_{};  // the last bytes of the text, less than one block
     std::uint64_t byte_count_ = 0;

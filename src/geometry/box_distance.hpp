@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// Returns the gap of two boxes on an axis; it is negative if they overlap there.
+// Returns the gap of two boxes on an axis. The gap is negative if the boxes overlap on this axis.
 inline double gap_on(int axis, const Aabb& a, const Aabb& b) noexcept {
     return std::max(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]);
 }
@@ -23,8 +23,8 @@ inline double gap_on(int axis, const Aabb& a, const Aabb& b) noexcept {
 // u', its square of 3.01 u', the sum of three squares of 5.02 u', the root of 3.52 u' and the product at the end of
 // 4.53 u'. The factor 1 - 2^-48 subtracts 16 u'. In the sum, gaps below 2^-500 count as 0 and gaps above 2^500 as
 // 2^500, so no square overflows or is subnormal. An end that is flushed to zero changes by at most 2^-1022, which is
-// 2^-522 of a gap of 2^-500. The largest gap alone is a lower bound, too, at any scale: it counts from 2^-960 on, of
-// which 2^-1022 is 2^-62. All steps are monotone, so boxes that contain a and b get no greater bound.
+// 2^-522 of a gap of 2^-500. The largest gap alone is a lower bound, too, at any scale. It counts only from 2^-960 on,
+// so 2^-1022 is at most 2^-62 of it. All steps are monotone, so boxes that contain a and b get no greater bound.
 // Claim: verify/proofs/small_bounds.py
 inline double distance_below(const Aabb& a, const Aabb& b) noexcept {
     constexpr double factor = 1 - 0x1p-48, gap_min = 0x1p-500, gap_max = 0x1p500, largest_min = 0x1p-960;
@@ -40,14 +40,14 @@ inline double distance_below(const Aabb& a, const Aabb& b) noexcept {
     return factor * std::max(largest, std::sqrt(sum));
 }
 
-// Returns a lower bound of the signed distance of two sets in these boxes, if minus the length of a translation that
-// parts them is one: distance_below(), or if that is 0, minus the length of the shortest translation along an axis that
-// parts the boxes.
+// Returns a lower bound of the signed distance of two sets in these boxes. The signed distance of two sets that meet is
+// minus the length of the shortest translation that parts them. The bound is distance_below() if that is positive.
+// Otherwise it is minus the length of the shortest translation along an axis that parts the boxes.
 //
-// This length is rounded up: each end that is flushed to zero changes it by less than 2^-1022, and a flushed difference
-// by as much. The subtraction rounds by less than one unit in the last place, in any rounding mode, for which the first
-// next_down makes up; the second one does so for the subtrahend 2^-1020, which covers what is flushed. If it is too
-// small to change the number, one unit in the last place of that is more than 2^-1020.
+// This length is rounded up. Each end that is flushed to zero changes it by less than 2^-1022, and so does a flushed
+// difference: the subtrahend 2^-1020 covers these. The subtraction of the ends rounds by less than one unit in the last
+// place, in any rounding mode, which the first next_down covers. The second next_down covers the rounding when 2^-1020
+// is subtracted. If 2^-1020 is too small to change the number, the number's unit in the last place is greater.
 inline double signed_distance_below(const Aabb& a, const Aabb& b) noexcept {
     const double apart = distance_below(a, b);
     if (apart > 0) return apart;

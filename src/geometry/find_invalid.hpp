@@ -52,7 +52,8 @@ inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
     return std::nullopt;
 }
 
-// Compares keys: a vector of subnormal numbers is not zero, even if the processor takes subnormal numbers for zero.
+// True if v is zero. Compares keys, so a vector of subnormal numbers is not zero even if the processor takes them for
+// zero.
 inline bool is_zero(const Vec3& v) noexcept {
     return key_of(v[0]) == 0 && key_of(v[1]) == 0 && key_of(v[2]) == 0;
 }

@@ -12,8 +12,8 @@ namespace ecods {
 struct ScaledLine {
     explicit ScaledLine(const Line& line) noexcept;
 
-    // scaled_above() returns an upper bound of the scaled parameter for a parameter of the line; unscaled_above() the
-    // reverse.
+    // scaled_above() converts a parameter of the line to this line's scaled parameter, unscaled_above() converts back.
+    // Both return an upper bound of the converted number.
     double scaled_above(double parameter) const noexcept;
     double unscaled_above(double parameter) const noexcept;
 

@@ -74,8 +74,8 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
 #define ECODS_OF_EACH_SET(...) baseline::__VA_ARGS__, baseline::__VA_ARGS__
 #endif
 
-// Makes a type of a function. With g++'s undefined-behaviour sanitizer, a comparison of two addresses of functions is
-// no constant expression; that of their types is one.
+// Named<f> is a type that stands for the function f. With g++'s undefined-behaviour sanitizer, the comparison of two
+// functions' addresses is no constant expression, but the comparison of two such types is one.
 template <auto function>
 struct Named {};
 

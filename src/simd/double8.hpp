@@ -18,7 +18,7 @@ using Double8 = Vec<double, 8>;
 using Mask8 = __mmask8;  // bit i is lane i
 using Int8 = Vec<std::int32_t, 8>;
 
-// ---- halves
+// The functions up to load_three() work on the two halves of a register.
 
 ECODS_ALWAYS_INLINE Double8 join(Vec<double, 4> low, Vec<double, 4> high) noexcept {
     return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(bits_as<__m256d>(low)), bits_as<__m256d>(high), 1);
@@ -63,7 +63,7 @@ ECODS_ALWAYS_INLINE Double8 load_three(const float* low, const float* high) noex
     return _mm512_maskz_cvtps_pd(0xff, _mm256_set_m128(_mm_maskz_loadu_ps(7, high), _mm_maskz_loadu_ps(7, low)));
 }
 
-// ---- lanes
+// The functions up to next_up_of_finite() work on the eight lanes of a register.
 
 ECODS_ALWAYS_INLINE Double8 eight(double x) noexcept {
     return _mm512_set1_pd(x);
@@ -132,7 +132,7 @@ ECODS_ALWAYS_INLINE Double8 next_up_of_finite(Double8 x) noexcept {
     return _mm512_castsi512_pd(_mm512_mask_mov_epi64(next, is_zero, one));
 }
 
-// ---- integers
+// The functions below convert lanes to integers, and work on eight integers.
 
 // truncated() rounds each lane towards zero to an integer from -2^31 to 2^31 - 1; doubles_of() converts back.
 ECODS_ALWAYS_INLINE Int8 truncated(Double8 v) noexcept {
@@ -145,8 +145,8 @@ ECODS_ALWAYS_INLINE Int8 either(Mask8 mask, Int8 yes, Int8 no) noexcept {
     return bits_as<Int8>(_mm256_mask_mov_epi32(bits_as<__m256i>(no), mask, bits_as<__m256i>(yes)));
 }
 
-// Sets first[i] to table[2 places[i]] and second[i] to table[2 places[i] + 1]. Loading each pair by itself measured a
-// little faster than a gather of eight.
+// load_pairs() sets first[i] to table[2 places[i]] and second[i] to table[2 places[i] + 1], for i from 0 to 7. It loads
+// each pair by itself, which measured a little faster than a gather of eight numbers.
 struct EightPlaces {
     alignas(32) std::array<std::int32_t, 8> at;
 };

@@ -12,7 +12,7 @@ constinit std::atomic<InstructionSet> instruction_set_in_use = InstructionSet::b
 InstructionSet supported_instruction_set() noexcept {
 #if ECODS_CAN_DISPATCH
     __builtin_cpu_init();
-    // simd/wide.hpp needs all of these features. The first processors with AVX-512 lacked the next three.
+    // simd/wide.hpp needs all of these features. The first processors with AVX-512 had avx512f, but not the next three.
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("bmi2")) {
         return InstructionSet::avx512;

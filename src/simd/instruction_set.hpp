@@ -7,7 +7,7 @@
 
 namespace ecods {
 
-// The instruction set in use. It is the baseline until the library's static objects have been initialised.
+// Holds the instruction set in use. It is the baseline until the library's static objects have been initialised.
 extern std::atomic<InstructionSet> instruction_set_in_use;
 
 inline InstructionSet read_instruction_set() noexcept {

@@ -46,7 +46,7 @@ concept IsVec = !std::is_class_v<V> && !std::is_pointer_v<V> && !std::is_array_v
 template <IsVec V>
 inline constexpr int lane_count = static_cast<int>(sizeof(V) / sizeof(LaneType<V>));
 
-// The vector of integers that a comparison of two V gives.
+// MaskOf<V> is the vector of integers that a comparison of two V gives.
 template <IsVec V>
 using MaskOf = decltype(std::declval<V>() < std::declval<V>());
 

@@ -1,4 +1,4 @@
-// Source that simd/vec.hpp includes once for each instruction set: operations on all lanes of vectors at once.
+// simd/vec.hpp includes this source once for each instruction set: operations on all lanes of vectors at once.
 
 // Return a vector whose lane i is first[i]. load() needs `first` to be aligned as V; load_anywhere() does not.
 template <IsVec V>

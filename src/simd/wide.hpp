@@ -24,8 +24,8 @@ using Mask = __mmask16;
 using Float8 = __m256;
 using Index8 = __m256i;  // eight 32-bit integers
 
-// The mask of all lanes. It is passed to masked intrinsics where g++ 12 warns that the unmasked intrinsic uses an
-// uninitialised value.
+// all_lanes is the mask of all lanes. It is passed to masked intrinsics where g++ 12 warns that the unmasked intrinsic
+// uses an uninitialised value.
 inline constexpr Mask all_lanes = 0xffff;
 
 // Returns eight floats twice: in lanes 0 to 7 and again in lanes 8 to 15. `eight` must be aligned as a vector of eight.
