@@ -18,13 +18,13 @@
 
 namespace ecods::exact {
 
-// The axis, 0 to 2, and the ray's direction along it: 1 for up, -1 for down.
+// Names a ray's axis, 0 to 2, and its direction along the axis: 1 for up, -1 for down.
 struct RayDirection {
     int axis = 0;
     int sign = 1;
 };
 
-// The open feature of a triangle that contains a given point; `none` if the point is not on the triangle.
+// Names the open feature of a triangle that contains a given point; `none` if the point is not on the triangle.
 struct PointFeature {
     enum class Kind : std::uint8_t { none, vertex, edge, face };
 
@@ -98,7 +98,7 @@ bool inner_ray_crosses(Signs& signs, RayDirection ray) {
     return crosses(signs, ray, in_shadow, above);
 }
 
-// How a ray meets a triangle of positive area.
+// Says how a ray meets a triangle of positive area.
 enum class RayContact : std::uint8_t {
     misses,
     crosses,

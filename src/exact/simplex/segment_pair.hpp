@@ -9,7 +9,7 @@
 
 namespace ecods::exact {
 
-// The indices of a segment's ends. They are equal if the segment is a point.
+// Names a segment by the indices of its ends. They are equal if the segment is a point.
 struct Segment {
     int a;
     int b;
@@ -52,8 +52,8 @@ bool segments_meet(Signs& signs, Segment s, Segment t) {
     if (is_on_segment(signs, t.a, s) || is_on_segment(signs, t.b, s)) return true;
     // No end is on the other segment, so the segments share a point only if they cross properly, in one plane.
     if (signs.orient3d(s.a, s.b, t.a, t.b) != 0) return false;
-    // If some sign is not zero in a projection, their plane is not seen edge-on, and a line not end-on. Then the
-    // segments cross properly if and only if they do so in this projection.
+    // If a sign is not zero in a projection, the segments' plane is not seen edge-on, so it is projected one to one.
+    // Then the segments cross properly if and only if they do so in this projection.
     for (int axis = 0; axis < 3; ++axis) {
         const int ta = signs.orient2d(s.a, s.b, t.a, axis), tb = signs.orient2d(s.a, s.b, t.b, axis);
         const int sa = signs.orient2d(t.a, t.b, s.a, axis), sb = signs.orient2d(t.a, t.b, s.b, axis);

@@ -31,8 +31,9 @@ struct TriangleContact {
     static constexpr int face = -1;
 
     ContactKind kind = ContactKind::none;
-    // Only for a segment: the side of the first triangle on which the segment lies, named by its first corner, or
-    // `face` if it lies inside the triangle. `second` is the same for the second triangle.
+    // first and second are set only for a segment. `first` is the side of the first triangle on which the segment lies,
+    // named by its first corner, or `face` if it lies inside the triangle. `second` is the same for the second
+    // triangle.
     int first = face;
     int second = face;
 };

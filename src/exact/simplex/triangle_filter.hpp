@@ -19,7 +19,7 @@
 
 namespace ecods::exact {
 
-// The filter's answer. It is never touching, since the filter cannot distinguish zero from a small number.
+// Lists the filter's answers. None is "touching", since the filter cannot distinguish zero from a small number.
 enum class FilterAnswer { disjoint, crossing, unknown };
 
 // Returns the relation that follows from the answer; nullopt if the answer is unknown.
@@ -28,7 +28,7 @@ inline std::optional<Relation> certain_relation(FilterAnswer answer) noexcept {
     return answer == FilterAnswer::disjoint ? Relation::apart : Relation::crossing;
 }
 
-// The determinants of one triangle's plane and each corner of the other triangle.
+// Holds the determinants of one triangle's plane and each corner of the other triangle.
 struct PlaneSides {
     double a, b, c;
 
@@ -60,7 +60,7 @@ inline FilterAnswer filter_edges(const Points<6>& w, const Sides& first, const S
     return begin < -bound && end < -bound ? FilterAnswer::crossing : FilterAnswer::unknown;
 }
 
-// The determinants that the filter computed before it returned. If its answer was unknown, later stages use them again.
+// Holds the determinants that the filter computed. If the filter's answer was unknown, later stages use them again.
 struct FilterTrace {
     PlaneSides first;   // the first triangle's corners and the second's plane
     PlaneSides second;  // the reverse; not set if `first` sufficed for the answer
@@ -84,7 +84,8 @@ inline FilterAnswer filter_again(const Points<6>& w, double bound, const FilterT
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
 
-// FilteredSigns that takes sides() from a trace in which both members are set, and computes other signs.
+// TracedSigns is a FilteredSigns that takes sides() from a trace in which both members are set. It computes other
+// signs.
 template <class Kernel>
 class TracedSigns : public FilteredSigns<Kernel, 6> {
   public:
@@ -93,7 +94,7 @@ class TracedSigns : public FilteredSigns<Kernel, 6> {
                 const IntegerPoints<Kernel, 6>& integers) noexcept
         : FilteredSigns<Kernel, 6>(points, bounds, integers), trace_(trace), bound_(bounds.orient3d) {}
 
-    // Only the sides of one triangle's corners and the other's plane may be asked for.
+    // The arguments must name the corners of one triangle and the plane of the other.
     Sides sides(int plane, int points) const noexcept {
         ECODS_ASSERT((plane == 0 && points == 3) || (plane == 3 && points == 0));
         return this->complete((plane == 3 ? trace_.first : trace_.second).certain_signs(bound_), plane, points);

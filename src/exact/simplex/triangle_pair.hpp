@@ -7,12 +7,12 @@
 // Triangles with areas in different planes (Guigue and Devillers 2003, derived again). Suppose that neither triangle
 // has all corners strictly on one side of the other's plane. Then both triangles meet the line L of the two planes in
 // closed intervals. Name the corners of the first triangle p1, q1, r1 such that p1 is alone on its side: q1 and r1 are
-// on the opposite closed side. L meets the first triangle between its edges p1q1 and p1r1, and the second between p2q2
-// and p2r2. Swap q2 and r2 if p1 is on the negative side of the second plane, and q1 and r1 if p2 is on the negative
-// side of the first. Then both intervals are named in the same direction along L, and they share a point if and only if
-// neither ends before the other begins. Each of these two comparisons is a sign of orient3d of two edges: whether one
-// interval begins (on p2q2) before the other ends (on p1r1) is the sign for these two edges. The intervals share an
-// open interval if and only if both comparisons are strict.
+// on the opposite closed side. Name the second triangle's corners p2, q2, r2 likewise. Swap q2 and r2 if p1 is on the
+// negative side of the second plane, and q1 and r1 if p2 is on the negative side of the first. Then, in one direction
+// along L, the first interval goes from edge p1r1 to p1q1, and the second from p2q2 to p2r2. They share a point if and
+// only if each begins before the other ends, or where it ends. Each of these two comparisons is the sign of orient3d of
+// two edges: p2q2 and p1q1 for the second's begin and the first's end, p1r1 and p2r2 for the first's begin and the
+// second's end. The intervals share an open interval if and only if both comparisons are strict.
 //
 // The triangles' relative interiors share a point if and only if each triangle has corners strictly on both sides of
 // the other's plane (otherwise its interval on L is on its boundary) and both comparisons are strict.
@@ -41,7 +41,7 @@ inline bool strictly_on_both(const Sides& s) noexcept {
     return (s[0] > 0 || s[1] > 0 || s[2] > 0) && (s[0] < 0 || s[1] < 0 || s[2] < 0);
 }
 
-// The corner that is alone on its side of a plane; `negative` is true if that is the negative side.
+// Names the corner that is alone on its side of a plane; `negative` is true if that is the negative side.
 struct Apex {
     int corner;
     bool negative;
@@ -60,7 +60,7 @@ inline Apex find_apex(const Sides& s) noexcept {
     return {s[0] == wanted ? 0 : s[1] == wanted ? 1 : 2, negative};
 }
 
-// The corners p1, q1, r1, p2, q2, r2 of the derivation above, after its swaps.
+// Names the corners p1, q1, r1, p2, q2, r2 of the derivation above, after its swaps.
 struct EdgeComparison {
     int p1, q1, r1, p2, q2, r2;
 };
