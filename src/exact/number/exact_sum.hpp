@@ -1,5 +1,5 @@
-// An ExactSum is the exact sum of up to four doubles: radii, a clearance, and a distance that is asked about. A sum
-// that is rounded would take balls that meet for balls that touch.
+// An ExactSum is the exact sum of up to four doubles: radii, a clearance, and the distance in a question. With a
+// rounded sum, balls that cross could be taken for balls that touch.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ class ExactSum {
     bool is_double_ = true;
 };
 
-// A limit of distances: a sum, which is included unless the limit is strict.
+// A Limit is an upper limit of distances: the sum itself is within the limit unless the limit is strict.
 struct Limit {
     ExactSum sum;
     bool is_strict = false;

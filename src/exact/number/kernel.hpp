@@ -79,7 +79,7 @@ class DeterminantKernel {
     }
 };
 
-// Arithmetic in which coordinates and their differences are words of `word_bits` bits, and minors are two words.
+// WordArithmetic has words of `word_bits` bits for coordinates and their differences, and two words for minors.
 template <class Word, class TwoWords, int word_bits, int bits>
 struct WordArithmetic {
     static constexpr int limb_count = word_bits / 64;
@@ -120,7 +120,7 @@ struct WordArithmetic {
 using OneLimbKernel = DeterminantKernel<WordArithmetic<std::int64_t, Int128, 64, 60>>;
 using TwoLimbKernel = DeterminantKernel<WordArithmetic<Int128, Int256, 128, 123>>;
 
-// Arithmetic in which coordinates are integers of L limbs. They have up to 64 L - 3 bits and a sign.
+// LimbArithmetic has integers of L limbs for coordinates. These have up to 64 L - 3 bits and a sign.
 template <int L>
 struct LimbArithmetic {
     static constexpr int limb_count = L;

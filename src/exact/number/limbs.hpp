@@ -32,12 +32,12 @@ constexpr Uint128 size_of(Int128 x) noexcept {
 
 inline constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
-// An integer of L limbs in two's complement.
+// Limbs<L> is an integer of L limbs in two's complement.
 template <int L>
 using Limbs = std::array<std::uint64_t, static_cast<std::size_t>(L)>;
 
-// An integer as sign and magnitude. `negative` is 0 or all_ones, so it can be used as a bit mask. For zero it may be
-// either.
+// Magnitude<L> is an integer as sign and magnitude. `negative` is 0 or all_ones, so it can be used as a bit mask. For
+// zero it may be either.
 template <int L>
 struct Magnitude {
     Limbs<L> limbs;
@@ -132,7 +132,7 @@ inline int sign(Int128 a) noexcept {
     return (a > 0) - (a < 0);
 }
 
-// An integer of 256 bits in two's complement.
+// Int256 is an integer of 256 bits in two's complement.
 struct Int256 {
     Uint128 low;
     Int128 high;

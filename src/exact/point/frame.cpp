@@ -103,8 +103,8 @@ bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
 // True if determinants in doubles have no rounding errors. The points' coordinates must be doubles, and multiples of
 // `unit` on each axis. In these units, let differences on the three axes be integers of at most E0, E1 and E2, all at
 // least 1. Products of two differences are at most Ei Ej, minors 2 Ei Ej, the three terms of a determinant 2 E0 E1 E2,
-// and their sum 6 E0 E1 E2. If E0 E1 E2 <= 2^50, all are integers below 2^53, and therefore doubles (the last factor, 8
-// / 6, covers the roundings in E).
+// and their sum 6 E0 E1 E2. If E0 E1 E2 <= 2^50, all are integers of at most 6 * 2^50 < 2^53, and therefore doubles.
+// The factor 8 / 6 between these two numbers covers the roundings in E.
 bool Frame::are_short(const Vec3& unit) const noexcept {
     return (extent_.array() / unit.array()).max(1.0).prod() <= 0x1p50;
 }
@@ -128,8 +128,8 @@ Vec3 Frame::common_unit() const noexcept {
     return result;
 }
 
-// From now on rounded points are divided by `unit`, so that determinants in doubles are exact. Scaling the axes changes
-// no sign.
+// Changes the unit of rounded points: they are divided by `unit`, which makes determinants in doubles exact. Scaling
+// the axes changes no sign.
 void Frame::count_in(const Vec3& unit) noexcept {
     unit_ = unit;
     is_counted_ = true;

@@ -27,7 +27,7 @@
 
 namespace ecods::exact {
 
-// The arithmetic that gives exact signs for all points of a frame, from the most to the least expensive.
+// Lists the kinds of arithmetic that give exact signs for all points of a frame, from the most to the least expensive.
 enum class Arithmetic : std::uint8_t {
     unknown,      // not measured yet
     many_limbs,   // integers of more than two limbs
@@ -39,7 +39,7 @@ enum class Arithmetic : std::uint8_t {
 
 class Frame {
   public:
-    // Replaces all bodies. There must be at least one. The bodies are referred to, so they must outlive all later
+    // Replaces all bodies. There must be at least one. The frame refers to the bodies, so they must outlive all later
     // calls. Cost: constant for each body. Memory: 96 KiB for each body, kept for the bodies of later calls.
     void bind(std::span<const BodyRef> bodies);
 
@@ -96,8 +96,8 @@ class Frame {
 
     std::size_t body_count() const noexcept { return integers_.body_count(); }
     void forget_points() noexcept;
-    // Poses a vertex that is not in the cache. It is not inlined: every query would contain the code once for each of
-    // its points, and hardly ever runs it. The call is cheap, since the arguments are in registers already.
+    // Poses a vertex that is not in the cache. It is not inlined: otherwise every query would contain this code, which
+    // hardly ever runs, once for each of its points. The call is cheap, since the arguments are in registers already.
     void pose(std::size_t body, std::uint32_t vertex, Point& p) const noexcept;
     void find_bounds() noexcept;
     void measure_digits() noexcept;

@@ -28,7 +28,7 @@ class IntegerFrame {
   public:
     using Point = TwoLimbKernel::Point;
 
-    // Replaces all bodies. There must be at least one. The bodies are referred to, so they must outlive all later
+    // Replaces all bodies. There must be at least one. The frame refers to the bodies, so they must outlive all later
     // calls. Cost: some instructions for each body. Memory: 64 KiB for each body, kept for the bodies of later calls.
     void bind(std::span<const BodyRef> bodies);
     // Computes the digits of all bodies and the unit; must be called before points are read. `others` are the digits of
@@ -58,9 +58,9 @@ class IntegerFrame {
     }
     static constexpr int difference_bits = TwoLimbKernel::coordinate_bits;
 
-    // The error bound of points that are not exact, in units. A coordinate is a sum of three products and a difference
-    // of translations, which may be two terms. Each term is rounded down by less than one unit, so a coordinate is less
-    // than 5 units too low, and the difference of two coordinates is off by less than 5 units.
+    // error_units is the error bound, in units, of points that are not exact. A coordinate is a sum of three products
+    // and a difference of translations, which may be two terms. Each term is rounded down by less than one unit, so a
+    // coordinate is less than 5 units too low, and the difference of two coordinates is off by less than 5 units.
     static constexpr int error_units = 5;
     int error() const noexcept { return is_exact_ ? 0 : error_units; }
 
@@ -96,8 +96,8 @@ class IntegerFrame {
     };
 
     std::span<Body> bodies() noexcept { return {bodies_.data(), body_count_}; }
-    // Poses a vertex that is not in the cache. It is not inlined, because each question contains such a call for each
-    // of its points, and hardly ever makes it.
+    // Poses a vertex that is not in the cache. It is not inlined, because each question contains this call, which is
+    // hardly ever made, once for each of its points.
     void pose(Body& of, std::uint32_t vertex, Point& p) const noexcept;
 
     std::vector<Body> bodies_;  // the first body_count_ are in use; the others keep their memory

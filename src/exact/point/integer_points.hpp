@@ -1,5 +1,5 @@
-// IntegerPoints are N posed points as integers, for the narrowest kernel that is wide enough. Every finite double has a
-// kernel that is.
+// IntegerPoints are N posed points as integers, for the narrowest kernel that is wide enough. For points with finite
+// coordinates, one of the kernels always is.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct IntegerPoints {
     int unit = 0;  // coordinates are in units of 2^unit
 };
 
-// Computes points relative to the first one, in as many limbs as all of their terms need. The code is the same for all
-// questions, so only the narrowest kernels are compiled once for each question.
+// Computes points relative to the first one, in as many limbs as all of their terms need. All questions share this
+// code. Only the code that uses the points is compiled for each question and each kernel.
 class WidePoints {
   public:
     // `terms` has an element for each point, and `limbs` has 3 limb_count_max elements for each point. Both are

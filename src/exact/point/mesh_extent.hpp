@@ -10,7 +10,7 @@
 
 namespace ecods::exact {
 
-// Facts about the coordinates of the vertices that triangles use, by axis.
+// Describes the coordinates of the vertices that triangles use, by axis.
 struct MeshExtent {
     Vec3 center;                      // center of the vertices' box, rounded
     Vec3 half;                        // half the size of that box, rounded

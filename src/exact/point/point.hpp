@@ -25,7 +25,7 @@ namespace ecods::exact {
 
 using Point = std::array<double, 3>;
 
-// Any number of points, of any bodies, relative to one origin and in one unit.
+// Points<N> holds points of any bodies, relative to one origin and in one unit.
 template <std::size_t N>
 using Points = std::array<Point, N>;
 

@@ -20,12 +20,12 @@
 
 namespace ecods::exact {
 
-// The number of bits that an integer needs beyond the bits of its terms. A coordinate is a sum of three products and
-// two translations, each below 2^high: three more bits. A difference of two coordinates takes one more. A kernel of L
-// limbs takes coordinates of 64 L - 3 bits and a sign: three more.
+// An integer needs sum_bits more bits than its terms. A coordinate is a sum of three products and two translations,
+// each below 2^high: three more bits. A difference of two coordinates takes one more. A kernel of L limbs takes
+// coordinates of 64 L - 3 bits and a sign: three more.
 inline constexpr int sum_bits = 3 + 1 + 3;
 
-// The largest number of limbs: products of doubles are multiples of 2^-2148 and below 2^2048.
+// limb_count_max limbs hold every coordinate, since products of doubles are multiples of 2^-2148 and below 2^2048.
 inline constexpr int limb_count_max = 66;
 static_assert(2048 + 2148 + sum_bits <= 64 * limb_count_max);
 

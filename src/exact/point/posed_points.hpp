@@ -39,7 +39,8 @@ struct PointRef {
     const Vec3* v;
 };
 
-// Points of any bodies. Relative to the translation t0 of the first point's pose, each is R v + t - t0.
+// PosedPoints<N> holds points of any bodies. Relative to the translation t0 of the first point's pose, each is R v + t
+// - t0.
 template <std::size_t N>
 using PosedPoints = std::array<PointRef, N>;
 

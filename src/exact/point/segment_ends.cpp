@@ -20,7 +20,7 @@ bool is_zero(const Vec3& v) noexcept {
     return (magnitude_of(v[0]) | magnitude_of(v[1]) | magnitude_of(v[2])) == 0;
 }
 
-// The products R p and R q of one segment.
+// Computes the products R p and R q of one segment.
 class EndProducts {
   public:
     explicit EndProducts(const SegmentRef& segment) noexcept : segment_(segment) {
@@ -33,8 +33,8 @@ class EndProducts {
     // All products and their sums are below 2^high().
     int high() const noexcept { return high_; }
 
-    // Adds a product in units of 2^unit, rounded down. Clears is_exact if digits are lost. Short products are at least
-    // 6 digits longer than what is kept (high).
+    // Adds a product in units of 2^unit, rounded down. Clears is_exact if digits are lost. A short product has 126
+    // digits below 2^high(), and unit >= high() - 120, so at least 6 digits are dropped.
     void add(std::size_t end, int unit, Point& to, bool& is_exact) const noexcept {
         if (form_ == Form::zero) return;
         if (form_ == Form::terms) {
@@ -83,7 +83,7 @@ class EndProducts {
         return are_short;
     }
 
-    // The sum of three products is below 2^(digits.high + 2).
+    // Sets terms_ and the range of the products. The sum of three products is below 2^(digits.high + 2).
     void bind_terms() noexcept {
         terms_.emplace().set_rotation(segment_.pose->R);
         std::array<BitRange, 3> v;
@@ -116,7 +116,8 @@ void add_translation(const std::array<Dyadic, 3>& t, int unit, Point& to, bool& 
 
 }  // namespace
 
-// A product and a translation are below 2^high, and their sum below 2^(high + 1) = 2^(unit + 121).
+// Chooses the unit from `high`, the largest exponent in use. A product and a translation are below 2^high, and their
+// sum below 2^(high + 1) = 2^(unit + 121).
 SegmentEnds::SegmentEnds(const SegmentRef& a, const SegmentRef& b, int high) noexcept
     : is_point{a.is_point(), b.is_point()} {
     const std::array<const SegmentRef*, 2> segments{&a, &b};

@@ -20,8 +20,7 @@ struct SegmentRef {
 struct SegmentEnds {
     using Point = TwoLimbKernel::Point;
 
-    // `high` must be such that other numbers that the caller converts to this unit are below 2^high. All numbers must
-    // be finite.
+    // Numbers that the caller will convert to this unit must be below 2^high. All numbers must be finite.
     SegmentEnds(const SegmentRef& a, const SegmentRef& b, int high) noexcept;
 
     // A coordinate is the sum of three products and a translation, each rounded down: it is less than 4 units too low,

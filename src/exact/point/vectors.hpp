@@ -1,4 +1,5 @@
-// Vector operations on doubles, in the order of operations that the error bounds assume, and on exact numbers.
+// Vectors of doubles are computed in the order of operations that the error bounds assume; vectors of exact numbers,
+// too.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +53,7 @@ ECODS_ALWAYS_INLINE std::size_t greatest_of(double x, double y, double z) noexce
     return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
 }
 
-// The edges of two triangles: [t][i] is the vector from corner i of triangle t to the next corner.
+// TriangleEdges holds the edges of two triangles: [t][i] is the vector from corner i of triangle t to the next corner.
 using TriangleEdges = std::array<std::array<Point, 3>, 2>;
 ECODS_ALWAYS_INLINE TriangleEdges edges_of(const Points<6>& x) noexcept {
     return {{{minus(x[1], x[0]), minus(x[2], x[1]), minus(x[0], x[2])},

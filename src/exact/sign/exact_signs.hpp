@@ -21,7 +21,7 @@
 
 namespace ecods::exact {
 
-// The signs of three points relative to one plane: on which side they are, or 0.
+// Holds the signs of three points relative to one plane: the side on which each point is, or 0 if it is in the plane.
 using Sides = std::array<int, 3>;
 
 // Kernel is an integer kernel, or PlainArithmetic.

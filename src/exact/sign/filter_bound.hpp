@@ -43,13 +43,14 @@ namespace ecods::exact {
 
 inline constexpr double infinite_bound = std::numeric_limits<double>::infinity();
 
-// Upper bounds, by axis, of the error of a rounded difference and of the magnitude of differences.
+// Holds upper bounds, by axis, of the error of a rounded difference and of the magnitude of differences.
 struct DifferenceBound {
     std::array<double, 3> error;
     std::array<double, 3> magnitude;
 };
 
-// The delta of coordinates that were not posed: it covers subnormal coordinates that the processor takes for zero.
+// own_delta is the delta of coordinates that were not posed: it covers subnormal coordinates that the processor takes
+// for zero.
 inline constexpr double own_delta = 0x1p-1000;
 
 // `extent` is the largest difference of rounded points on each axis. `delta` is an upper bound of the error of a
@@ -86,7 +87,7 @@ inline double orient2d_bound(const DifferenceBound& d, std::size_t i, std::size_
     return is_in_range(d, bound) ? bound : infinite_bound;
 }
 
-// Error bounds of all determinants of some points.
+// Holds error bounds of all determinants of some points.
 struct DeterminantBounds {
     double orient3d;
     std::array<double, 3> orient2d;  // [axis]: for the projection along that axis

@@ -47,8 +47,8 @@ inline int certain_sign(double x, double bound) noexcept {
     return (x > bound) - (x < -bound);
 }
 
-// An integer kernel (exact/number/kernel.hpp) that computes in doubles. Determinants of the points must have no
-// rounding errors.
+// PlainArithmetic is an integer kernel (exact/number/kernel.hpp) that computes in doubles. Determinants of the points
+// must have no rounding errors.
 struct PlainArithmetic {
     using Point = exact::Point;
     using Normal = PlainNormal;

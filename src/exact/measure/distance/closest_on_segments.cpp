@@ -15,13 +15,13 @@
 // rule, |dS| <= (|z.u| v.v + |z.v| |u| |v|) / D, and likewise dT. With u' = two_u, coordinates are read from integers
 // with a relative error of less than 2 u', and products have three roundings: they are off by less than 7 u' |u| |v|,
 // and D by less than 32 u' (u.u)(v.v). u and v themselves are off by less than 4 units on each axis, and at least 2^60
-// units long: their lengths are off by less than 2^-57 of themselves, and D by less than u' (u.u)(v.v). All other
-// roundings, and what the lengths of u and v are off, are less than 50 factors of 1 + u', which 1 + 64 u' covers.
+// units long: the relative errors of their lengths are less than 2^-57, and D is off by less than u' (u.u)(v.v). All
+// other roundings and the errors of the lengths of u and v are less than 50 factors of 1 + u', which 1 + 64 u' covers.
 //
-// A parameter is certainly inside if it is further than its error from 0 and from 1. One at 0 or 1 is right if its
-// derivative has the right sign by more than its error, to which the other parameter adds dT |u| |v|. The minimum is
-// then the only one, or the derivative is 0 and exact. In that case it is the only one, too, unless the segments are
-// parallel: the function is convex, and constant only along a direction in which z is.
+// A parameter is certainly inside if its distances from 0 and from 1 exceed its error. A parameter at 0 or 1 is right
+// if its derivative has the right sign and exceeds its own error plus dT |u| |v|, the effect of the other parameter's
+// error. Then the minimum is unique. It is also unique if an exact derivative is 0, unless the segments are parallel:
+// the convex function is constant only along a direction in which z does not change.
 // Claim: verify/proofs/segment_pairs.py
 #include "exact/measure/distance/closest_on_segments.hpp"
 
@@ -49,7 +49,7 @@ double from_0_to_1(double x) noexcept {
     return std::min(1.0, std::max(0.0, x));  // 0 for NaN
 }
 
-// Returns a double with a relative error of less than 2 two_u.
+// Returns x as a double, with a relative error of less than 2 two_u.
 double to_double(const Int256& x) noexcept {
     const Int256 size = size_of(x);
     const int shift = std::max(bit_width(size) - 62, 0);
@@ -84,7 +84,7 @@ bool is_zero(const IntegerVector& v) noexcept {
 enum class Place : std::uint8_t { begin, end, inside };
 
 // A Side is one of the segments with its parameter. `outward` is 1 if the distance grows with the parameter where z.u
-// is positive, and -1 if it shrinks.
+// is positive, and -1 if the distance shrinks there.
 struct Side {
     Side(const std::array<IntegerVector, 2>& ends, bool is_point, int outward_sign) noexcept
         : begin(ends[0]), u(difference(ends[1], ends[0])), has_edge(!is_point), outward(outward_sign) {}
@@ -101,7 +101,8 @@ struct Side {
         coarse = place == Place::inside ? static_cast<std::int64_t>(s * 0x1p60) : 0;
         fine = 0;
     }
-    // Moves the parameter by at most 1; it stays in [0, 1], or less than fine_begin beyond.
+    // Moves the parameter by `by`, of magnitude at most 1. The parameter stays in [0, 1], or less than fine_begin
+    // beyond.
     void move(double by, bool is_fine) noexcept {
         if (is_fine) {
             fine = static_cast<std::int64_t>(by * 0x1p105);
@@ -167,8 +168,9 @@ class SegmentPair {
         b_.set_parameter(t);
     }
 
-    // Sets the points of both parameters. Those inside are refined by Newton's method: the function is quadratic, so
-    // one step is exact but for rounding. A step that is too large for a correction is followed by another one.
+    // Sets the points of both parameters. Newton's method refines the parameters that are inside: the function is
+    // quadratic, so one step is exact except for rounding. A step that is small enough sets the fine parts and is the
+    // last; a larger step moves the coarse parts, and another step follows.
     void set_points() noexcept {
         constexpr int steps_max = 3;
         measure();
@@ -251,8 +253,8 @@ class SegmentPair {
         return true;
     }
 
-    // Finds the first closest features of parallel segments: vertices, otherwise a vertex whose foot is inside the
-    // other segment. Its distance is that of the two lines.
+    // Finds the first closest features of parallel segments: two vertices, otherwise a vertex and the segment that has
+    // its foot inside. The distance of these is the distance of the two lines.
     std::optional<ClosestOnSegments> find_parallel() noexcept {
         is_only_ = false;
         for (const Place of_a : {Place::begin, Place::end}) {
@@ -270,7 +272,8 @@ class SegmentPair {
         const bool are_right = find_errors() && (a_.place == Place::inside ? a_ : b_).is_inside();
         return are_right ? result() : std::nullopt;
     }
-    // True if the foot of the vertex is inside the edge; it is then the edge's point. Points are exact.
+    // True if the foot of the vertex is inside the edge; then sets the edge's parameter to the foot. Points must be
+    // exact.
     static bool put_foot(Side& vertex, Place place, Side& edge) noexcept {
         vertex.place = place;
         vertex.set_point();
@@ -291,8 +294,9 @@ class SegmentPair {
         return pair_of(FeatureKind::vertex_vertex, 0, a, b);
     }
 
-    // Returns nullopt if the points are off too much. The end of an edge along one axis is 0 there: z is across it, so
-    // on this axis both points have the same coordinate.
+    // Returns nullopt if a point's error bound is too large. If an edge is parallel to a coordinate axis and its point
+    // is inside, z is perpendicular to it, so both points have the same coordinate on this axis: an exact one is
+    // copied.
     std::optional<ClosestOnSegments> result() const noexcept {
         ClosestOnSegments result{features(), {a_.point, b_.point}, {}, is_only_};
         for (const std::size_t i : {0, 1}) {

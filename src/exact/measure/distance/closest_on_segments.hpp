@@ -10,14 +10,14 @@
 
 namespace ecods::exact {
 
-// The closest points, in the units of SegmentEnds, and bounds of their errors.
+// Holds the closest points, in the units of SegmentEnds, and bounds of their errors.
 struct ClosestOnSegments {
-    // The first pair, in the order of feature_pairs, with closest points in both relative interiors; the corners are
-    // those of triangles (p, q, q).
+    // features is the first pair, in the order of feature_pairs, with closest points in both relative interiors. Its
+    // corners are corners of the triangles (p, q, q).
     FeaturePair features;
     std::array<IntegerVector, 2> point;
     std::array<ErrorBounds, 2> errors;
-    bool is_only = true;  // true if no other points are as close; parallel segments are not looked at
+    bool is_only = true;  // if false, the segments are parallel, and other points may be as close
 
     FixedNumber number(std::size_t side, std::size_t k) const noexcept { return {point[side][k], errors[side][k]}; }
     // Returns the vector from the first point to the second; nullopt if they may be equal.

@@ -33,7 +33,7 @@ struct WeightedPoint {
     }
 };
 
-// The product of a weight and a vector.
+// Refers to the two factors of a product of a weight and a vector.
 template <int L>
 struct Weighted {
     const Magnitude<4 * L>& weight;

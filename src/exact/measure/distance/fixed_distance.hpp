@@ -11,7 +11,7 @@ namespace ecods::exact {
 // Returns the distance of the features, rounded once; a positive distance to at least 2^-1074. Returns nullopt if the
 // rounding is not certain, about once in 2^30 distances, or if points that are not exact leave a sign open; then exact
 // fractions are rounded (squared_distance.hpp). The features must have exactly one pair of closest points, in their
-// relative interiors. Corners of `pair` that are not of the features need not be set.
+// relative interiors. Only the features' own corners in `pair` are read.
 std::optional<double> fixed_distance(const IntegerPair& pair, const FeaturePair& features) noexcept;
 
 }  // namespace ecods::exact

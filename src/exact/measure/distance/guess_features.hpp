@@ -10,8 +10,8 @@ namespace ecods::exact {
 // `vertex_edge` or `edge_edge`, and the face of `vertex_face` has an area.
 //
 // Follows Larsen, Gottschalk, Lin and Manocha, Fast Proximity Queries with Swept Sphere Volumes, 1999, section 6, but
-// tries faces first: corners over faces, and then all pairs of edges until the planes across the gap have both
-// triangles on their outer sides.
+// tries faces first: corners over faces, and then pairs of edges. It stops at the first pair whose two closest points
+// have the triangles on the outer sides of the planes through them, perpendicular to the gap.
 FeaturePair guess_features(const IntegerPair& pair) noexcept;
 
 }  // namespace ecods::exact

@@ -1,4 +1,4 @@
-// set_ends rounds the distance and the closest points of two features, or of these with radii around them.
+// set_ends rounds the distance and the closest points of two features, or of two features that are rounded by radii.
 #pragma once
 
 #include <array>

@@ -27,7 +27,8 @@ struct LineHit {
     Fraction enter;
     Fraction leave;
     bool is_along = false;  // true if enter and leave differ
-    // the feature of lowest dimension that contains all common points, and the lowest corner that names it
+    // `feature` is the feature of lowest dimension that contains all common points, and `corner` the lowest corner that
+    // names it.
     Feature::Kind feature = Feature::Kind::face;
     std::uint32_t corner = 0;
     int facing = 0;           // the sign of n . d
@@ -82,9 +83,9 @@ class LineTriangle {
     }
 
   private:
-    // A parameter of the line; it may be negative.
+    // A Ratio is a parameter of the line. It may be negative.
     using Ratio = exact::Ratio<2 * L>;
-    // The parameters of the line's points on an edge: the interval [low, high], or none.
+    // A Part is the interval [low, high] of the parameters of the line's points on an edge. It may be empty.
     struct Part {
         bool is_empty = true;
         Ratio low, high;

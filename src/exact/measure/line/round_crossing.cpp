@@ -65,7 +65,7 @@ LeadingDot leading_of_dot(const Normal& normal, const IntegerVector& p, int coun
     return {static_cast<Uint128>(shifted(sum, exponent)), exponent, is_negative};
 }
 
-// An interval of positive numbers, from digits 2^exponent to (digits + width) 2^exponent.
+// Holds an interval of positive numbers, from digits 2^exponent to (digits + width) 2^exponent.
 struct Between {
     Uint128 digits;
     Uint128 width;

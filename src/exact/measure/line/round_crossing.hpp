@@ -10,15 +10,16 @@
 
 namespace ecods::exact {
 
-// from: the beginning of the line, in world coordinates. direction: in units of 2^unit. The corners of triangles are
-// given relative to `from`, in the same units.
+// `from` is the beginning of the line in world coordinates, and `direction` is in units of 2^unit. The corners of
+// triangles are given relative to `from`, in the same units.
 struct LineInUnits {
     Vec3 from;
     TwoLimbKernel::Point direction;
     int unit = 0;
 };
 
-// at: the crossing's parameter and point, rounded as by round_on_line(). facing: the sign of n . d, as in line_hit.hpp.
+// `at` has the crossing's parameter and point, rounded as by round_on_line(). `facing` is the sign of n . d, as in
+// line_hit.hpp.
 struct RoundedCrossing {
     RoundedOnLine at;
     int facing = 0;

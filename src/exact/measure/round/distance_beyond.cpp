@@ -5,7 +5,8 @@
 
 namespace ecods::exact {
 
-// Compares N with m^2 Q, for the square N / Q 4^f and the sum m 2^e, unless the doubles around the sum decide.
+// Compares first with the doubles around the sum. If these do not decide, compares N 4^f with Q m^2 4^e, where the
+// square is N / Q 4^f and the sum m 2^e.
 int compare(const SquaredDistance& square, const ExactSum& sum) {
     if (sum.is_double()) return compare(square, sum.lower());
     if (compare(square, sum.lower()) <= 0) return -1;

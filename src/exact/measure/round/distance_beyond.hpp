@@ -1,5 +1,5 @@
-// Compares exact distances with exact sums, and rounds their difference once: the distance of two rounded bodies is
-// that of their cores less the sum of the radii.
+// Exact distances are compared with exact sums, and their differences rounded once. The distance of two rounded bodies
+// is the distance of their cores minus the sum of their radii.
 #pragma once
 
 #include "exact/measure/round/squared_distance.hpp"

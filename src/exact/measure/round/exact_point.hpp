@@ -21,16 +21,16 @@ struct ExactPoint {
     int unit = 0;
 };
 
-// Returns the point in world coordinates, each rounded once to the nearest double, ties to even; a zero is +0. `origin`
-// is the corner that the point is relative to.
+// Returns the point in world coordinates, each rounded once to the nearest double, ties to even; a zero is +0. The
+// point is relative to the corner `origin`.
 Vec3 round_point(const PointRef& origin, const ExactPoint& point) noexcept;
-double round_coordinate(const PointRef& origin, int row, const ExactPoint& point) noexcept;  // one of them
+double round_coordinate(const PointRef& origin, int row, const ExactPoint& point) noexcept;  // one of its numbers
 
 // True if coordinate `axis` of two points in one unit is the same number.
 bool is_level(const ExactPoint& a, const ExactPoint& b, std::size_t axis);
 
-// Returns the middle of two points in one unit. Their denominators must be equal, or one of them 1: the middle's
-// numerator then has one bit more than the longer one of theirs.
+// Returns the middle of two points in one unit. Their denominators must be equal, or one of them 1: then the bound of
+// the middle's numerators is only one bit longer than the bound of the points' numerators.
 ExactPoint middle_of(const ExactPoint& a, const ExactPoint& b);
 
 }  // namespace ecods::exact

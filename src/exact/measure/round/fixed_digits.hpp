@@ -55,7 +55,8 @@ inline Int128 shifted(const Int256& x, int shift) noexcept {
     return static_cast<Int128>(x.low << -shift);
 }
 
-// A vector of 256-bit integers, for example a cross product. The factors' coordinates must be below 2^127.
+// WideVector is a vector of 256-bit integers, for example a cross product. The factors' coordinates must be below
+// 2^127.
 using WideVector = std::array<Int256, 3>;
 inline WideVector cross(const IntegerVector& u, const IntegerVector& v) noexcept {
     WideVector n;

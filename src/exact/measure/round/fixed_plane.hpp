@@ -21,7 +21,7 @@ class FixedPlane {
   public:
     using Vector = exact::IntegerVector;
 
-    // m: three vertices of the Minkowski difference, counterclockwise as seen from outside. Their coordinates are
+    // `m` has three vertices of the Minkowski difference, counterclockwise as seen from outside. Their coordinates are
     // integers times 2^unit.
     FixedPlane(const std::array<Vector, 3>& m, int unit, bool is_exact) noexcept;
 

@@ -19,9 +19,10 @@ namespace ecods::exact {
 
 namespace {
 
-// Returns the double nearest to all numbers size +- error, as a normal number; nullopt if the 64 leading digits of the
-// size do not decide: cut off, and with the cut of the error, they are off by less than 2 more. The error is less than
-// half of the size's last digit as a double, so that it reaches no other middle of two doubles, even at a power of two.
+// Returns the bits of the normal double nearest to all numbers (size +- error) 2^unit. Returns nullopt if the 64
+// leading digits of `size` do not decide. Cutting the size and the error to these digits adds less than 2 to the error.
+// The error must be less than a quarter of the double's last digit, so that it reaches at most one middle of two
+// doubles, even at a power of two.
 std::optional<std::uint64_t> round_leading(Uint128 size, Uint128 error, int unit) noexcept {
     constexpr int dropped = 64 - 53, least = -1074, most = 971;
     constexpr std::uint64_t middle = std::uint64_t{1} << (dropped - 1);
@@ -77,7 +78,8 @@ std::optional<FixedVector> FixedVector::of(const IntegerVector& w, const ErrorBo
     return result;
 }
 
-// width() + d <= 124 and the limit of errors in of() leave 2 error 2^d below 2^86.
+// Counts the error of |w|, sqrt(3) times the largest error of a coordinate, as 2 times that error. width() + d <= 124
+// and the limit of errors in of() leave 2 error 2^d below 2^86.
 FixedNumber FixedVector::length(int d) const noexcept {
     const Uint128 doubled = 2 * largest_error();
     const Uint128 of_errors = d >= 0 ? doubled << d : (doubled >> std::min(-d, 127)) + (doubled != 0 ? 1 : 0);
@@ -111,7 +113,8 @@ FixedRadius::FixedRadius(double r, int unit) noexcept : whole_(fixed_number(r, u
     shift_ = FixedVector::unit_digits - (radius.e - up - unit);
 }
 
-// r < 2^(unit + 120) and m_ >= 2^61 leave shift_ >= 68. A direction without error is along an axis.
+// Multiplies m_ by n in two parts. r < 2^(unit + 120) and m_ >= 2^61 leave shift_ >= 68. A direction without error is
+// along an axis.
 FixedNumber FixedRadius::times(const FixedNumber& n) const noexcept {
     if (m_ == 0 || (n.value == 0 && n.error == 0)) return {};
     if (n.error == 0) return {n.value < 0 ? -whole_.value : whole_.value, whole_.error};

@@ -34,7 +34,7 @@ struct FixedNumber {
 // Returns x in units of 2^unit, rounded down. |x| must be below 2^(unit + 126).
 FixedNumber fixed_number(double x, int unit) noexcept;
 
-// Upper bounds of the errors of three coordinates, below 2^62. A coordinate with the bound 0 is exact.
+// ErrorBounds are upper bounds of the errors of three coordinates, below 2^62. A coordinate with the bound 0 is exact.
 using ErrorBounds = std::array<std::uint64_t, 3>;
 
 class FixedVector {
@@ -43,7 +43,7 @@ class FixedVector {
     // little is known of its direction.
     static std::optional<FixedVector> of(const IntegerVector& w, const ErrorBounds& errors) noexcept;
 
-    // |w| < 2^width().
+    // Returns an exponent such that |w| < 2^width().
     int width() const noexcept { return 127 - up_; }
 
     // Returns |w| 2^d. width() + d must be at most 124.
@@ -67,7 +67,8 @@ class FixedVector {
     Uint128 root_ = 0;  // 2^252 / |x_|, with a relative error of at most 2^-94
 };
 
-// A radius r >= 0 as a factor of directions; the product is in units of 2^unit. r must be below 2^(unit + 120).
+// FixedRadius multiplies directions by a radius r >= 0; products are in units of 2^unit. r must be below 2^(unit +
+// 120).
 class FixedRadius {
   public:
     FixedRadius(double r, int unit) noexcept;

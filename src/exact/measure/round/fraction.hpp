@@ -11,7 +11,7 @@
 
 namespace ecods::exact {
 
-// The largest number of limbs of a numerator or denominator: they are determinants of three differences of points, or
+// A numerator or denominator has at most fraction_limbs limbs: it is a determinant of three differences of points, or
 // shorter.
 inline constexpr std::size_t fraction_limbs = 3 * limb_count_max;
 static_assert(determinant_bits(LimbKernel<limb_count_max>::coordinate_bits) <= static_cast<int>(64 * fraction_limbs));
@@ -60,9 +60,9 @@ int compare(const Ratio<L>& x, const Ratio<L>& y) noexcept {
 // largest double. The floating-point environment has no effect.
 double round_fraction(const FractionRef& x) noexcept;
 
-// A parameter num / den of a line, and the point there: a + (b - a) num / den, or a + b num / den if `is_direction`.
-// Each number is rounded once to the nearest double, ties to even. A zero is +0, and a positive parameter is rounded to
-// at least 2^-1074.
+// Holds a parameter num / den of a line, and the point there: a + (b - a) num / den, or a + b num / den if
+// `is_direction`. Each number is rounded once to the nearest double, ties to even. A zero is +0, and a positive
+// parameter is rounded to at least 2^-1074.
 struct RoundedOnLine {
     double parameter = 0;
     Vec3 point = Vec3::Zero();

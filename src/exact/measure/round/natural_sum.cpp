@@ -12,7 +12,7 @@
 namespace ecods::exact {
 namespace {
 
-// The largest length of a sum. It must hold the terms of a point (exact_point.hpp): the terms of R v + t times a
+// A sum has at most sum_limbs limbs. It must hold the terms of a point (exact_point.hpp): the terms of R v + t times a
 // denominator, and numerators. All terms are multiples of 2^-2148 below 2^2050 times the denominator: limb_count_max
 // limbs more than the denominator has, and a bit for the sign. It must also hold the terms of a point on a line
 // (fraction.hpp), which are products of a double, a multiple of 2^-1074 below 2^1024, and a number of fraction_limbs.

@@ -30,8 +30,8 @@ namespace {
 
 constexpr Uint128 error_of_digits = Uint128{1} << 35;
 
-// A positive number digits 2^exponent, off by a small part of itself. Zero has no digits; other numbers have at least
-// 2^125.
+// Approximates a positive number by digits 2^exponent, with a small relative error. Zero has no digits; other numbers
+// have at least 2^125.
 struct Approximate {
     Uint128 digits = 0;
     int exponent = 0;
@@ -82,7 +82,7 @@ Approximate operator+(const Approximate& x, const Approximate& y) noexcept {
     return {(x.digits >> 1) + (y.digits >> shift), x.exponent + 1};
 }
 
-// The sign of a sum, and its absolute value as an approximation.
+// Holds the sign of a sum, and its absolute value as an approximation.
 struct Sized {
     int sign = 0;
     Approximate size;

@@ -13,14 +13,14 @@
 
 namespace ecods::exact {
 
-// The radii of two bodies, which are finite and not negative.
+// Holds the radii of two bodies, which are finite and not negative.
 struct Radii {
     double a = 0, b = 0;
 
     ExactSum sum() const { return ExactSum(a).plus(b); }
 };
 
-// An integer vector, and its squared length.
+// Holds an integer vector and its squared length.
 struct LongDirection {
     LongVector x;
     Integer square;

@@ -12,7 +12,7 @@ namespace ecods::exact {
 // Points of limb_count_max limbs give numerators of up to six times as many limbs (exact_features.hpp).
 inline constexpr std::size_t numerator_limbs = 6 * limb_count_max;
 inline constexpr std::size_t denominator_limbs = 4 * limb_count_max;
-// the number of limbs of the longest divisor
+// divisor_limbs is the number of limbs of the longest divisor.
 inline constexpr std::size_t divisor_limbs = numerator_limbs;
 
 // Represents num / den * 4^exponent.
@@ -38,7 +38,8 @@ double round_root(NaturalSpan num, NaturalSpan den, int exponent) noexcept;
 // 0.
 double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negative) noexcept;
 
-// The 127 or 128 leading digits of num / den = (digits + rest) 2^exponent, 0 <= rest < 1. digits is 0 if num is 0.
+// Holds the 127 or 128 leading digits of num / den = (digits + rest) 2^exponent, 0 <= rest < 1. digits is 0 if num is
+// 0.
 struct LeadingDigits {
     Uint128 digits = 0;
     int exponent = 0;
