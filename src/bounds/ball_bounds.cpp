@@ -30,8 +30,8 @@ Gap gap_of(double center, double min, double max) noexcept {
     return {};
 }
 
-// The largest number of digits of the numbers in is_within_short(). Differences have at most 62 digits, squares 124,
-// and sums of three squares 126, which an Int128 holds.
+// is_within_short() takes numbers of at most this many digits. Differences have at most 62 digits, squares 124, and
+// sums of three squares 126, which an Int128 holds.
 constexpr int short_width = 61;
 
 bool is_within_short(const std::array<Gap, 3>& gaps, double radius, int low) noexcept {

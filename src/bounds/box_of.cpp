@@ -58,7 +58,7 @@ class BoxBuilder {
     Vec3 v_max_ = Vec3::Zero();
 };
 
-// Computes the box in units in which nothing overflows but, at the end, the ends of the box. Compares keys, because the
+// Computes the box in units in which only its ends may overflow, when they are scaled back. Compares keys, because the
 // processor may take subnormal numbers for zero.
 [[gnu::noinline]] Aabb scaled_box_of(const Mesh& mesh, const Pose& pose) {
     const auto vertices = mesh.vertices();

@@ -1,5 +1,6 @@
-// Vectors and matrices of three dimensions in registers of four doubles, compiled once for each instruction set
-// (simd/region.hpp). Products of matrices and vectors add from left to right, so all sets give the same bits.
+// Registers of four doubles hold vectors and matrices of three dimensions; the code is compiled once for each
+// instruction set (simd/region.hpp). Products of matrices and vectors add from left to right, so all sets give the same
+// bits.
 #pragma once
 
 #include <algorithm>

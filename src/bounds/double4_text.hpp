@@ -1,4 +1,4 @@
-// Source that bounds/double4.hpp includes once for each instruction set.
+// bounds/double4.hpp includes this source once for each instruction set.
 
 // Returns v[0], v[1], v[2] and 0.
 ECODS_ALWAYS_INLINE Double4 load3(const double* v) noexcept {

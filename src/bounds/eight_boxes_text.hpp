@@ -1,4 +1,4 @@
-// Source that bounds/support_table.cpp includes for AVX-512.
+// bounds/support_table.cpp includes this source for AVX-512.
 
 // Sets `boxes` to the boxes of eight poses and returns true. Returns false, and sets nothing, if any of these poses
 // must be scaled for its box. (find_four_boxes() does this for four poses.)

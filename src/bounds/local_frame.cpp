@@ -93,8 +93,8 @@ LocalFrame frame_along(const Mesh& mesh, const Mat3& axes, const Vec3& near) {
     frame.map = axes * scale;
     frame.inverse = axes.transpose() / scale;
     frame.scale = scale;
-    // The constant covers the error of coordinates (at most coordinate_error) and the rounding of this sum (at most
-    // half of that).
+    // The constant 2 coordinate_error covers the error of coordinates, at most coordinate_error, and the rounding of
+    // this sum, at most half of that error.
     frame.half = reaches / scale + Vec3::Constant(2 * coordinate_error);
     frame.map_size = frame.map.cwiseAbs().rowwise().sum();
     frame.size_max = std::max({1.0, frame.map.cwiseAbs().maxCoeff(), frame.center.cwiseAbs().maxCoeff()});

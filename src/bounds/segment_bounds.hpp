@@ -8,8 +8,8 @@
 
 namespace ecods {
 
-// A verdict about a set of points and a box, in doubles with an error bound: certainly apart, certainly meeting, or
-// unknown.
+// Says if a set of points and a box are certainly apart or certainly meeting, as judged in doubles with an error bound;
+// otherwise `unknown`.
 enum class BoxVerdict : std::uint8_t { apart, meeting, unknown };
 
 // The separating axes of a segment and a box are the three coordinate axes and their cross products with the segment's

@@ -1,9 +1,9 @@
-// Source that bounds/support_lanes.hpp includes once for each instruction set. V is Double4, or Double8 in the region
+// bounds/support_lanes.hpp includes this source once for each instruction set. V is Double4, or Double8 in the region
 // for AVX-512 (simd/double8.hpp). The operations are in the same order for both, so each lane gets the same bits.
 
 using namespace support;
 
-// ---- functions of four numbers, with the names that the functions of eight have in simd/double8.hpp
+// The functions of four numbers below have the names that the functions of eight have in simd/double8.hpp.
 
 using Mask4 = Vec<std::int64_t, 4>;
 using Int4 = Vec<std::int32_t, 4>;
@@ -56,7 +56,7 @@ ECODS_ALWAYS_INLINE void load_pairs(const float* table, Int4 places, Double4& fi
     second = convert<Double4>(shuffle<1, 3, 5, 7>(low, high));
 }
 
-// ---- the support function
+// The functions down to reaches() compute the support function.
 
 template <class V>
 struct Reaches {
@@ -122,7 +122,7 @@ ECODS_ALWAYS_INLINE Reaches<V> reaches(const Row& support, V x, V y, V z) noexce
             .against = either(is_tiny, 4 * m, m * (against + table_error))};
 }
 
-// ---- boxes
+// The functions below compute boxes.
 
 // Holds the matrices and translations of several poses, one pose in each lane.
 template <class V>

@@ -1,4 +1,4 @@
-// Source that bounds/support_table.cpp includes once for each instruction set.
+// bounds/support_table.cpp includes this source once for each instruction set.
 
 // Sets reach[k] = max(reach[k], direction_k . point), where direction_k = (x[k], y[k], z[k]).
 [[gnu::noinline]] inline void include(const Row& x, const Row& y, const Row& z, const std::array<float, 3>& point,
@@ -9,11 +9,12 @@
     }
 }
 
-// Returns the box of a pose, from the table. Bound. The center is posed with the error of a point
-// (exact/point/point.hpp), like any point of the mesh, whose coordinates are below |center| + 2 scale: so the bound's
-// term for underflow covers the reach, too. The oriented box reaches |R axes| half from the center: both products are
-// off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of the scale. The reach that is added to the center has
-// three roundings, below 4 u', and the sum has one.
+// Returns the box of a pose, from the table.
+//
+// Bound. The center is posed with the error of a point (exact/point/point.hpp), like any point of the mesh, whose
+// coordinates are below |center| + 2 scale: so the bound's term for underflow covers the reach, too. The oriented box
+// reaches |R axes| half from the center: both products are off by 3.01 u' sqrt(3) |R| 1, below 16 u' |R| 1 in units of
+// the scale. The reach that is added to the center has three roundings, below 4 u', and the sum has one.
 // Claim: verify/proofs/small_bounds.py
 ECODS_ALWAYS_INLINE Aabb box_by_table(const TableView& table, const Matrix4& R, Double4 t, const Matrix4& size,
                                       double delta) noexcept {
