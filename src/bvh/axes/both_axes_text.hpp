@@ -1,4 +1,4 @@
-// Source that bvh/axes/separating_axes.cpp includes for AVX-512. It projects two posed trees on the face normals of
+// bvh/axes/separating_axes.cpp includes this source for AVX-512. It projects two posed trees on the face normals of
 // both at once: AxesOf in registers of eight doubles. The first four lanes are for the set of a's normals, and the last
 // four for the set of b's. Poses must be rotations, up to rounding, and numbers within their limits.
 

@@ -41,10 +41,11 @@ float square_above(double distance, double unit) noexcept;
 // distance on the set's axes as computed (bvh/masks/triangle_bounds.hpp).
 double distance_above(const DistanceSet& set, float square, double unit) noexcept;
 
-// The least distance of far bodies, in units (about the size of the larger tree). Measured counts: beyond it ranks
-// (FarGap) leave fewer pairs than squared distances do. The value affects only the work, not the results.
+// far_min is the least distance of far bodies, in units (about the size of the larger tree). By measured counts, at
+// greater distances ranks (FarGap) leave fewer pairs than squared distances do. The value affects only the work, not
+// the results.
 inline constexpr double far_min = 0x1p9;
-// True if the origins of the trees are certainly not so far apart, seen on the set's axes.
+// True unless the distance of the trees' origins on the set's axes is more than far_min.
 bool is_near(const DistanceSet& set) noexcept;
 
 class DistanceAxes {
@@ -91,7 +92,7 @@ class PointAxes {
     bool are_useful_ = false;
 };
 
-// A vector on the axes of the first set. It is zero, or its length is one or slightly less.
+// A Direction is a vector on the axes of the first set. It is zero, or its length is one or slightly less.
 using Direction = std::array<float, 3>;
 
 // Returns a mask of the pairs of lanes whose squared distance is not proven to exceed `limit`; bit 8 j + i is for lane
@@ -102,7 +103,7 @@ template <class X, class Y>
 std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const X& x, const Y& y,
                         LaneBounds& squares) noexcept;
 
-// A pair of lanes, one of each tree.
+// Names a pair of lanes, one of each tree.
 struct LanePair {
     std::size_t i;  // lane of the first tree
     std::size_t j;

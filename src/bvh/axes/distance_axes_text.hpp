@@ -1,4 +1,4 @@
-// Source that bvh/axes/distance_axes.cpp includes once for each instruction set.
+// bvh/axes/distance_axes.cpp includes this source once for each instruction set.
 
 inline constexpr double tau_max = 0x1p-7;     // with a larger tau, bounds would be too loose
 inline constexpr double square_max = 0x1p55;  // upper bound of coordinates that are squared
@@ -14,7 +14,8 @@ ECODS_ALWAYS_INLINE Matrix4 operator*(const Matrix4& m, double x) noexcept {
     return {{m.column[0] * x, m.column[1] * x, m.column[2] * x}};
 }
 
-// Nearly orthogonal axes N, in units. The eigenvalues of N N^T are between factor / (1 + tau) and factor (1 + tau).
+// Holds nearly orthogonal axes N, in units. The eigenvalues of N N^T are between factor / (1 + tau) and factor (1 +
+// tau).
 struct EvenAxes {
     Matrix4 N;
     double factor;

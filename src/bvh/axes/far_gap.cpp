@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// The trees projected on one axis n, along the vector between their centers. n is a row of N.
+// Holds the trees projected on one axis n, along the vector between their centers. n is a row of N.
 struct FarRow {
     double length;
     double a[3], b[3];

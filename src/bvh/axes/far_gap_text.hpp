@@ -1,4 +1,4 @@
-// Source that bvh/axes/far_gap.cpp includes once for each instruction set.
+// bvh/axes/far_gap.cpp includes this source once for each instruction set.
 
 [[gnu::noinline]] inline FarRow row_along(const PosedTree& a, const PosedTree& b, const Vec3& difference,
                                           double unit) noexcept {

@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// The axes N, the map P of the tree to these axes, and the sums of magnitudes that the bounds need.
+// Holds the axes N, the map P of the tree to these axes, and the sums of magnitudes that the bounds need.
 struct LineBound {
     alignas(32) double N[3][4], P[3][4];  // by columns
     alignas(32) double size[4], origin[4], origin_size[4];

@@ -62,7 +62,8 @@
 
 namespace ecods {
 
-// A part of a line that is about as long as a tree, on the tree's axes, in floats: origin + r direction, 0 <= r <= 1.
+// Holds a part of a line that is about as long as a tree, on the tree's axes, in floats: origin + r direction, 0 <= r
+// <= 1.
 struct LinePart {
     std::array<float, 3> origin;
     std::array<float, 3> direction;     // no coordinate is zero
@@ -83,8 +84,8 @@ struct LinePart {
     std::array<std::array<float, 3>, 3> p, size;
 };
 
-// A box of the world on the axes: all its points are within `half` of `center`, which includes the errors of the nodes'
-// boxes and of floats. A point that at() returns in floats is off by less than `error`.
+// Holds a box of the world on the axes: all its points are within `half` of `center`, where `half` includes the errors
+// of the nodes' boxes and of floats. A point that at() returns in floats is off by less than `error`.
 struct BoxOnAxes {
     std::array<float, 3> center, half;
     float error;

@@ -1,4 +1,4 @@
-// Source that bvh/axes/line_axes.cpp includes once for each instruction set.
+// bvh/axes/line_axes.cpp includes this source once for each instruction set.
 
 [[gnu::noinline]] inline void bind_line_axes(const MeshBvh& tree, const Mat3& R, LineBound& bound) noexcept {
     const Edges edges(tree.frame, R);

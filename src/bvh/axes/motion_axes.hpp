@@ -33,7 +33,7 @@ struct MovingTree {
     const Mat3& to;
 };
 
-// The trees on three axes, at the start and at the end of the motion.
+// Holds the trees on three axes, at the start and at the end of the motion.
 struct MotionSet {
     AxisSet start, end;
 };
@@ -42,7 +42,8 @@ class MotionAxes {
   public:
     // Binds two moving trees. d_from and d_to are fl(t_b - t_a) at the start and at the end.
     void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to);
-    // Binds two trees whose bodies are at all times within `margin` of such a motion: it enlarges the boxes of b.
+    // Binds two trees whose bodies are at all times within `margin` of such a motion. The margin enlarges the boxes of
+    // b.
     void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to, double margin);
 
     const std::array<MotionSet, 2>& sets() const noexcept { return sets_; }

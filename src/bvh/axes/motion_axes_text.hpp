@@ -1,4 +1,4 @@
-// Source that bvh/axes/motion_axes.cpp includes once for each instruction set.
+// bvh/axes/motion_axes.cpp includes this source once for each instruction set.
 
 ECODS_ALWAYS_INLINE Matrix4 middle(const Edges& start, const Edges& end) noexcept {
     Matrix4 result;

@@ -1,8 +1,8 @@
-// Source that bvh/axes/posed_axes.hpp includes once for each instruction set.
+// bvh/axes/posed_axes.hpp includes this source once for each instruction set.
 
 using namespace axes;
 
-// The type of one number for each body in V: double for one body, Double8 for two.
+// NumberOf<V> holds one number for each body in V: it is double for one body, Double8 for two.
 template <class V>
 using NumberOf = decltype(sum(V{}));
 
@@ -13,7 +13,7 @@ ECODS_ALWAYS_INLINE bool are_below(double number, double limit) noexcept {
     return number < limit;
 }
 
-// The edges and the center of a tree's local frame in the world, and the sums that the bound needs.
+// Holds the edges and the center of a tree's local frame in the world, and the sums that the bound needs.
 template <class V>
 struct EdgesOf {
     Matrix<V> edges;     // R map
@@ -48,7 +48,7 @@ struct Edges : EdgesOf<Double4> {
                   frame.scale) {}
 };
 
-// The box of a tree's root, in the tree's own coordinates.
+// Holds the box of a tree's root, in the tree's own coordinates.
 struct RootBox {
     Double4 center, half;
 
@@ -60,8 +60,8 @@ struct RootBox {
 };
 
 // Returns the face normals of a box with the edges `own`, as rows, scaled such that the box is about [-1, 1] on each.
-// If the box is too flat for that, returns the axes of the world, scaled such that both boxes are about [-1, 1]. All
-// axes are sound; these are good.
+// If the box is too flat for that, returns the axes of the world, scaled such that both boxes are about [-1, 1]. Any
+// axes would be sound; these separate well.
 ECODS_ALWAYS_INLINE Matrix4 axes_of(const Matrix4& own, const Matrix4& other) noexcept {
     const Double4 x = own.column[0], y = own.column[1], z = own.column[2];
     const Double4 yz = cross(y, z);
@@ -90,7 +90,7 @@ ECODS_ALWAYS_INLINE Matrix<V> normals_along(const EdgesOf<V>& edges) noexcept {
     return transpose(Matrix<V>{{normal(0), normal(1), normal(2)}});
 }
 
-// The face normals N of a tree's box for any pose, and own = P = N R map of that tree.
+// Holds the face normals N of a tree's box for any pose, and own = P = N R map of that tree.
 struct FaceNormals {
     Matrix4 N, own;
 
@@ -104,7 +104,8 @@ struct FaceNormals {
     }
 };
 
-// Both trees on three axes in doubles; if V is Double8, on the normals of a in the low half and of b in the high half.
+// Holds both trees on three axes in doubles; if V is Double8, on the normals of a in the low half and of b in the high
+// half.
 template <class V>
 struct AxesOf {
     Matrix<V> own, other;  // matrix P (separating_axes.hpp) of the tree that gives the axes; of the other
@@ -157,7 +158,7 @@ struct AxesOf {
     }
 };
 
-// Both trees on the normals of one of them (`own_tree`), or on any axes N.
+// Holds both trees on the normals of one of them (`own_tree`), or on any axes N.
 struct DoubleAxes : AxesOf<Double4> {
     Own own_tree = Own::a;
 

@@ -56,7 +56,7 @@ struct PosedTree {
     const Mat3& R;
 };
 
-// The map y -> p y + shift from a tree's coordinates to three axes.
+// Holds the map y -> p y + shift from a tree's coordinates to three axes.
 struct Projection {
     std::array<std::array<float, 4>, 3> p;     // p[c] is column c: an entry per axis, then 0; unset if is_unit
     std::array<std::array<float, 4>, 3> size;  // |p|
@@ -66,7 +66,7 @@ struct Projection {
     bool is_unit;                              // p is taken for the identity; p, size, row are unset but the shift
 };
 
-// Both trees on three axes.
+// Holds both trees on three axes.
 struct AxisSet {
     Projection a, b;                   // shift and margin are zero for a
     std::array<float, 4> point_error;  // error bound of a corner of either tree
@@ -102,7 +102,7 @@ class SeparatingAxes {
 template <class X, class Y>
 std::uint64_t overlap_mask(const std::array<AxisSet, 2>& sets, const X& x, const Y& y) noexcept;
 
-// Two sets of pairs of triangles of two leaves; bit 8 j + i is for triangle i of x and triangle j of y.
+// Holds two sets of pairs of triangles of two leaves; bit 8 j + i is for triangle i of x and triangle j of y.
 struct TrianglePairs {
     std::uint64_t near = 0;      // not proven disjoint by an axis, by a triangle's plane, or by an edge of each
     std::uint64_t crossing = 0;  // pairs in `near` that are proven to cross

@@ -1,4 +1,4 @@
-// Source that bvh/axes/separating_axes.cpp includes once for each instruction set, AVX-512 included.
+// bvh/axes/separating_axes.cpp includes this source once for each instruction set, AVX-512 included.
 
 // Returns the number, 0 to 8, of a cross product of edges that separates the boxes x and y; -1 if none does. Edge i of
 // a is tested with the three edges of b at once. Edge i of a is the axis i, so a cross product has only two coordinates

@@ -1,4 +1,4 @@
-// Source that bvh/axes/separating_axes.cpp includes once for each instruction set.
+// bvh/axes/separating_axes.cpp includes this source once for each instruction set.
 
 // Returns the row, 0 to 2, of a face normal that separates the boxes; -1 if none does. `x` is the box of the tree whose
 // normals these are, and `y` the box of the other one.

@@ -1,4 +1,4 @@
-// Source that bvh/axes/swept_axes.cpp includes once for each instruction set.
+// bvh/axes/swept_axes.cpp includes this source once for each instruction set.
 
 // Narrows the window to the times at which the roots' projections overlap on all three axes. A time that is NaN changes
 // nothing.

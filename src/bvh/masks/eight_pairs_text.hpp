@@ -1,4 +1,4 @@
-// Source that bvh/masks/overlap_mask.cpp includes for AVX-512: EightPairs tests any eight pairs of triangles of two
+// bvh/masks/overlap_mask.cpp includes this source for AVX-512: EightPairs tests any eight pairs of triangles of two
 // leaves at once. Usually few of a leaf's eight triangles are near a given triangle, and testing one against all eight
 // would leave most lanes unused. The processor must be able to pick lanes by number and bits by mask (simd/wide.hpp).
 

@@ -1,4 +1,4 @@
-// Source that bvh/masks/distance_masks.cpp includes once for each instruction set.
+// bvh/masks/distance_masks.cpp includes this source once for each instruction set.
 
 struct FarKernel : ProjectedLanes<float_width> {
     template <class X, class Y>

@@ -1,10 +1,10 @@
-// Source that bvh/masks/overlap_mask.cpp includes once for each instruction set.
+// bvh/masks/overlap_mask.cpp includes this source once for each instruction set.
 
 struct FlatLanes : ProjectedLanes<float_width> {
     static constexpr float extent_max = 0x1p40f;
 
-    // A triangle projected along the axis on which both trees are flat. Number is float for one triangle of x in all
-    // lanes, and Floats for a triangle of y in each lane.
+    // Holds a triangle projected along the axis on which both trees are flat. Number is float for one triangle of x in
+    // all lanes, and Floats for a triangle of y in each lane.
     template <class Number>
     struct FlatTriangle {
         Number x[3], y[3];         // corners

@@ -1,7 +1,7 @@
-// Source that bvh/masks/time_masks.cpp includes once for each instruction set.
+// bvh/masks/time_masks.cpp includes this source once for each instruction set.
 
-// A measure for PairKernel: intervals of time in which lanes of two moving nodes may meet, from the chords of their
-// gaps.
+// MeetingMeasure is a measure for PairKernel: it finds the intervals of time in which lanes of two moving nodes may
+// meet, from the chords of their gaps.
 //
 // Rounding. Ends of boxes and triangles have the margins of separating_axes.hpp, which hold for the ends as computed. A
 // gap is a difference of two ends, which rounds by at most v = 2^-23 of itself, so its sign is right. A chord's zero is
@@ -25,7 +25,7 @@ struct MeetingMeasure : TimeMeasure {
         value.end = min(last, value.end);
     }
 
-    // A node on three axes, at the start and at the end of the motion.
+    // Holds a node on three axes, at the start and at the end of the motion.
     struct Placed {
         ProjectedLanes::Placed start, end;
     };

@@ -1,6 +1,7 @@
-// Source that bvh/masks/distance_masks.cpp includes once for each instruction set.
+// bvh/masks/distance_masks.cpp includes this source once for each instruction set.
 
-// A measure for PairKernel: lower bounds of squared distances. A pair is excluded if its bound exceeds the limit.
+// NearMeasure is a measure for PairKernel: it finds lower bounds of squared distances. A pair is excluded if its bound
+// exceeds the limit.
 struct NearMeasure : ProjectedLanes<float_width> {
     using Value = Floats;
     const std::array<DistanceSet, 2>& sets;

@@ -1,4 +1,4 @@
-// Source that bvh/masks/distance_masks.cpp includes once for each instruction set.
+// bvh/masks/distance_masks.cpp includes this source once for each instruction set.
 
 struct NearestKernel : ProjectedLanes<float_width> {
     // Returns the pair of lanes with the least weighted sum of squared gaps and squared distances of centers. Gaps have

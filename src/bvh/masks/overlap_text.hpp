@@ -1,7 +1,7 @@
-// Source that bvh/masks/overlap_mask.cpp includes once for each instruction set.
+// bvh/masks/overlap_mask.cpp includes this source once for each instruction set.
 
-// A measure for PairKernel: masks of the lanes that are not proven disjoint. Slabs separate most pairs that are
-// disjoint but whose boxes overlap: nearly flat parts of smooth surfaces, one above the other.
+// OverlapMeasure is a measure for PairKernel: it finds masks of the lanes that are not proven disjoint. Slabs separate
+// most disjoint pairs whose boxes overlap: nearly flat parts of smooth surfaces, one above the other.
 struct OverlapMeasure : ProjectedLanes<float_width> {
     using Value = Ints;
     const std::array<AxisSet, 2>& sets;
@@ -48,8 +48,8 @@ struct OverlapMeasure : ProjectedLanes<float_width> {
         return rows != 0;
     }
 
-    // Clears those of `lanes` of the node `other` whose boxes are certainly beyond the slab. It uses the node's own
-    // slab, which is thinner than its boxes. `set`, `slab`, `p` and `shift` are as for SlabAxis.
+    // Clears in `lanes` the lanes of the node `other` whose boxes are certainly beyond the slab. The boxes are bounded
+    // by the own slab of `other`, which is thinner. `set`, `slab`, `p` and `shift` are as for SlabAxis.
     ECODS_ALWAYS_INLINE static void find_thin(const AxisSet& set, const Slab& slab, const Projection& p,
                                               const BvhNode& other, float shift, Ints (&lanes)[part_count]) noexcept {
         const SlabAxis axis(set, slab, p, shift);

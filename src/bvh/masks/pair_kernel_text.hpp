@@ -1,6 +1,6 @@
-// Source that bvh/masks/pair_kernel.hpp includes once for each instruction set.
+// bvh/masks/pair_kernel.hpp includes this source once for each instruction set.
 
-// Measure has a type Value, which holds what is known of pairs, with one lane for each lane of y. It has the functions
+// A Measure has a type Value, which holds its result for pairs, with one lane for each lane of y. It has the functions
 //     put(set, tree, node, placed)              projects a node to the axes of a set
 //     load(i, part), store(i, part, value)      read and write the values of row i
 //     is_near(value)                            returns a mask of the lanes whose pairs are not excluded
@@ -9,7 +9,7 @@
 //     start(over_x, over_y, i, part)            combines the values from both slabs for row i; lanes of over_x are rows
 //     of_slab(set, axis, slab, shift, low, high)  returns the values, by one slab, of lanes from `low` to `high` on its
 //     axis
-// It may also have look_first(), called before all else, and look_beside_slabs(), called after the slabs.
+// It may also have look_first(), called before all other functions, and look_beside_slabs(), called after the slabs.
 //
 // Rows are lanes of x. Nodes are projected to the second set only if the first one does not exclude all pairs.
 template <class Measure>

@@ -1,4 +1,4 @@
-// Source that bvh/masks/projected_lanes.hpp includes once for each instruction set.
+// bvh/masks/projected_lanes.hpp includes this source once for each instruction set.
 
 // Projects eight lanes in registers of `width` floats: four, which every x86-64 processor has, or eight. Operations and
 // their order are the same in every lane, so the bits of results do not depend on the width.
@@ -15,17 +15,17 @@ struct ProjectedLanes {
         ECODS_SET::store(&lanes[part * width], v);
     }
 
-    // The intervals to which eight boxes or triangles are projected, on three axes.
+    // Holds the intervals to which eight boxes or triangles are projected, on three axes.
     struct Spans {
         alignas(32) std::array<FloatLanes, 3> low;
         alignas(32) std::array<FloatLanes, 3> high;
     };
-    // The corners of eight triangles, in coordinates on three axes.
+    // Holds the corners of eight triangles, in coordinates on three axes.
     struct Corners {
         alignas(32) std::array<std::array<FloatLanes, 3>, 3> at;  // [corner][axis][lane]
     };
 
-    // A node on three axes. `corners` is set only for leaves.
+    // Holds a node on three axes. `corners` is set only for leaves.
     struct Placed {
         Corners corners;
         Spans spans;
@@ -106,10 +106,10 @@ struct ProjectedLanes {
         pairs |= low_bytes(near) << (8 * part * width);
     }
 
-    // The axis of a slab in the coordinates of the other tree, which `p` projects. A box or triangle of the other tree
-    // is certainly beyond the slab if m . y > `high` for all its points y, or m . y < `low` for all of them. The gap is
-    // exact up to the rounding of the difference. `set` must have the axes of the slab's tree. `shift` is 1 if the
-    // other tree is the one with a shift, and -1 if the slab's tree is.
+    // SlabAxis is the axis of a slab in the coordinates of the other tree, which `p` projects. A box or triangle of the
+    // other tree is certainly beyond the slab if m . y > `high` for all its points y, or m . y < `low` for all of them.
+    // The gap is exact up to the rounding of the difference. `set` must have the axes of the slab's tree. `shift` is 1
+    // if the other tree is the one with a shift, and -1 if the slab's tree is.
     //
     // Bound: the slab's normal n is a vector in the coordinates N x. The other's projection on it is n . (P y + q),
     // computed as (P^T n) . y + n . q. For a corner there are the errors of converting P and q, of y, and 3.01 v s for
@@ -158,9 +158,10 @@ struct ProjectedLanes {
         high = max(a, max(b, c));
     }
 
-    // The axis m of a slab, for a node of the other tree that has a slab of its own, with the normal n. For the points
-    // y of the node's triangles, m . y = slope (n . y) + rest . y. If n is nearly parallel to m, rest is small and the
-    // node's slab bounds n . y well. On a smooth surface this bounds m . y much better than the node's boxes do.
+    // ThinAxis is the axis m of a slab, for a node of the other tree that has a slab of its own, with the normal n. For
+    // the points y of the node's triangles, m . y = slope (n . y) + rest . y. If n is nearly parallel to m, rest is
+    // small and the node's slab bounds n . y well. On a smooth surface this bounds m . y much better than the node's
+    // boxes do.
     //
     // Bound: m is taken as computed, for which a corner's error is 14 v s + 13 u' w + e. Let M = sum |m_k|, at most the
     // sum of |n_i| s_i of the axis, and |n| < 1.001, so that sum |n_k| and the ends of slabs are below 1.74. Any slope

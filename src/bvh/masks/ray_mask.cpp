@@ -17,7 +17,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double float_u = 0x1p-23;
 
-// A tree's local frame at its pose, in a unit in which the entries of R map are at most about one.
+// Holds a tree's local frame at its pose, in a unit in which the entries of R map are at most about one.
 struct PosedRoot {
     Mat3 edges;      // R map
     Vec3 from;       // R center - (p - t)
@@ -73,7 +73,7 @@ void set_row(RayRow& row, const PosedRoot& root, const Vec3& n) {
     row.margin = static_cast<float>(root.is_bounded ? margin : infinite);
 }
 
-// The interval of a row's values on the root's box, enlarged by the row's margin.
+// Holds the interval of a row's values on the root's box, enlarged by the row's margin.
 struct RootSpan {
     double low, high;
 

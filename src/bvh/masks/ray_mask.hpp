@@ -48,17 +48,16 @@ struct TreeRay {
     int sign = 1;  // 1 if the ray goes up, -1 if down
 };
 
-// The beginning of a ray relative to a tree: p - t, where t is the translation of the tree's pose. Each coordinate of
-// `offset` is off by at most u' times its magnitude, plus `error`.
+// Holds the beginning of a ray relative to a tree: p - t, where t is the translation of the tree's pose. Each
+// coordinate of `offset` is off by at most u' times its magnitude, plus `error`.
 struct RayOrigin {
     Vec3 offset;
     double error;
 };
 
-// Chooses, among the directions up and down along the axes in `axes` (bits 0 to 2, at least one), the one in which the
-// ray leaves the tree's root soonest, relative to the root's size; sets `ray` to that ray. Returns false, without a
-// ray, if the beginning is certainly outside of the root's box on an axis of the world: then every ray that leads away
-// from the box misses it.
+// Sets `ray` to one of the rays up and down along the axes in `axes` (bits 0 to 2, at least one): to the ray that
+// leaves the tree's root soonest, relative to the root's size. Returns false, without a ray, if the beginning is
+// certainly outside of the root's box on an axis of the world: then every ray that leads away from the box misses it.
 bool set_ray(TreeRay& ray, const MeshBvh& tree, const Mat3& R, const RayOrigin& origin, std::uint32_t axes);
 
 // Sets `point` to a test of the point `origin`. Returns false if the point is certainly outside of the root's box.

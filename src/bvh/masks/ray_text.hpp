@@ -1,4 +1,4 @@
-// Source that bvh/masks/ray_mask.cpp includes once for each instruction set.
+// bvh/masks/ray_mask.cpp includes this source once for each instruction set.
 
 struct RayKernel {
     static constexpr std::size_t width = float_width;
@@ -17,7 +17,7 @@ struct RayKernel {
         return static_cast<std::uint32_t>(any_bits(~apart & lane_bits<Ints>(static_cast<int>(first))));
     }
 
-    // Comparisons with NaN are false, so NaN proves nothing.
+    // Returns a mask of the lanes whose boxes the ray may meet. Comparisons with NaN are false, so NaN proves nothing.
     [[gnu::noinline]] static std::uint32_t node_mask(const TreeRay& ray, const BvhNode& node) noexcept {
         std::uint32_t lanes = 0;
         for (std::size_t first = 0; first < tree_width; first += width) {
@@ -34,7 +34,8 @@ struct RayKernel {
         }
         return lanes & node.lanes();
     }
-    // No NaN arises with bounded rows: all their numbers are finite, and so are the corners.
+    // Returns a mask of the lanes whose triangles the ray may meet. No NaN arises with bounded rows: all their numbers
+    // are finite, and so are the corners.
     [[gnu::noinline]] static std::uint32_t leaf_mask(const TreeRay& ray, const TreeLeaf& leaf) noexcept {
         std::uint32_t lanes = 0;
         for (std::size_t first = 0; first < tree_width; first += width) {

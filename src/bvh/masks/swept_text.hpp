@@ -1,7 +1,8 @@
-// Source that bvh/masks/time_masks.cpp includes once for each instruction set.
+// bvh/masks/time_masks.cpp includes this source once for each instruction set.
 
-// Reciprocals of a closing speed, rounded such that gap * to_begin is a lower bound of the time at which two intervals
-// meet, and (distance until they have passed each other) * to_end is an upper bound of the time at which they part.
+// Holds reciprocals of a closing speed. They are rounded such that gap * to_begin is a lower bound of the time at which
+// two intervals meet, and distance * to_end an upper bound of the time at which they part, for the distance until they
+// have passed each other.
 struct Pace {
     float to_begin, to_end;
 
@@ -10,7 +11,8 @@ struct Pace {
 };
 inline constexpr float lost_time = 0x1p-100f;
 
-// A measure for PairKernel: bounds of the times at which lanes of a translated body and of another may share points.
+// SweptMeasure is a measure for PairKernel: it bounds the times at which lanes of a translated body and of another body
+// may share points.
 struct SweptMeasure : TimeMeasure {
     const std::array<SweptSet, 2>& sets;
 
@@ -22,7 +24,7 @@ struct SweptMeasure : TimeMeasure {
         turn(sets[set], placed.spans);
     }
 
-    // Narrows `value` to the times at which two intervals overlap, whose gap is `gap` at time 0, and which have passed
+    // Narrows `value` to the times at which two intervals overlap. Their gap is `gap` at time 0, and they have passed
     // each other after the distance `rest`. A time that is NaN changes nothing.
     ECODS_ALWAYS_INLINE static void meet(Value& value, const Pace& pace, Floats gap, Floats rest) noexcept {
         value.begin = max(gap * pace.to_begin, value.begin);
@@ -63,7 +65,7 @@ struct SweptMeasure : TimeMeasure {
                                       Floats high) const noexcept {
         const auto& n = slab.normal;
         const auto& v = sets[set].velocity;
-        // The speed of the slab relative to the other tree, along the slab's normal.
+        // `speed` is the speed of the slab relative to the other tree, along the slab's normal.
         const float speed = shift * ((n[0] * v[0] + n[1] * v[1]) + n[2] * v[2]);
         const Pace pace(std::abs(speed));
         Value value = unknown();

@@ -1,9 +1,9 @@
-// Source that bvh/masks/time_masks.cpp includes once for each instruction set.
+// bvh/masks/time_masks.cpp includes this source once for each instruction set.
 
-// The base of measures whose values are intervals of time in which lanes may share points. A pair is excluded if its
-// interval is empty. Derived measures differ in how a set of axes narrows the interval.
+// TimeMeasure is the base of measures whose values are intervals of time in which lanes may share points. A pair is
+// excluded if its interval is empty. Derived measures differ in how a set of axes narrows the interval.
 struct TimeMeasure : ProjectedLanes<float_width> {
-    // An interval of times in each lane; begin is at least 0. The interval is empty if begin > end.
+    // Holds an interval of times in each lane; begin is at least 0. The interval is empty if begin > end.
     struct Value {
         Floats begin, end;
     };

@@ -9,17 +9,17 @@
 
 namespace ecods {
 
-// The corners of eight triangles on the axes of a set: [corner][axis][lane].
+// AxisCorners holds the corners of eight triangles on the axes of a set: [corner][axis][lane].
 using AxisCorners = std::array<std::array<FloatLanes, 3>, 3>;
 
-// The triangles of two leaves, x of the first tree and y of the second, on the axes of a set.
+// Holds the triangles of two leaves, x of the first tree and y of the second, on the axes of a set.
 struct LeavesOnAxes {
     alignas(32) AxisCorners x;
     alignas(32) AxisCorners y;
 };
 void put_on_axes(const DistanceSet& set, const TreeLeaf& x, const TreeLeaf& y, LeavesOnAxes& leaves) noexcept;
 
-// Up to eight pairs of triangles, a[..][..][i] and b[..][..][i], on the axes of one set.
+// Holds up to eight pairs of triangles, a[..][..][i] and b[..][..][i], on the axes of one set.
 struct TriangleBatch {
     alignas(32) AxisCorners a;
     alignas(32) AxisCorners b;
@@ -40,7 +40,7 @@ struct TriangleBatch {
     }
 };
 
-// The results of bound_triangles() for the pairs of a batch, one pair in each lane.
+// Holds the results of bound_triangles() for the pairs of a batch, one pair in each lane.
 struct TriangleSquares {
     alignas(32) FloatLanes lower;  // lower bound of the squared distance, in units; 0 if nothing is known
     alignas(32) FloatLanes upper;  // squared distance of a point of each on the axes, as computed

@@ -1,4 +1,4 @@
-// Source that bvh/masks/triangle_bounds.cpp includes once for each instruction set.
+// bvh/masks/triangle_bounds.cpp includes this source once for each instruction set.
 
 // Bounds the distance of one pair of triangles a and b in each lane. Any two points of the triangles give an upper
 // bound; close ones are guessed. The vector n from one to the other gives a lower bound: all points of b have n . y >=
@@ -42,7 +42,8 @@ struct BoundsKernel : ProjectedLanes<float_width> {
     // Clamps t to [0, 1]; NaN becomes 0.
     ECODS_ALWAYS_INLINE static Floats clamp(Floats t) noexcept { return min(max(t, Floats{}), broadcast<Floats>(1)); }
 
-    // A triangle in each lane: its corners, the edges from each corner to the next, and values computed from these.
+    // Holds a triangle in each lane: its corners, the edges from each corner to the next, and values computed from
+    // these.
     struct Triangles {
         Vector v[3], e[3];
         Floats length[3], inverse[3];  // squared lengths of the edges, and their reciprocals
@@ -62,7 +63,7 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         }
     };
 
-    // The closest two points found so far in each lane: `from` in a, and from + n in b.
+    // Holds the closest two points found so far in each lane: `from` in a, and from + n in b.
     struct Closest {
         Floats square;
         Vector n{}, from{};

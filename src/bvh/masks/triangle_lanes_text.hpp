@@ -1,4 +1,4 @@
-// Source that bvh/masks/overlap_mask.cpp includes once for each instruction set.
+// bvh/masks/overlap_mask.cpp includes this source once for each instruction set.
 
 template <class Number>
 struct LaneVector {
@@ -82,13 +82,13 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         crossing = (begin < -bound) & (end < -bound);
     }
 
-    // Two sets of pairs: bit i in lane j is for triangle i of x and triangle j of y.
+    // Holds two sets of pairs: bit i in lane j is for triangle i of x and triangle j of y.
     struct Found {
         Ints near;      // not proven disjoint
         Ints crossing;  // pairs in `near` that are proven to cross in the coordinates of the corners
     };
 
-    // The normals of the eight triangles of x.
+    // Holds the normals of the eight triangles of x.
     struct Normals {
         alignas(32) std::array<FloatLanes, 3> at;
 

@@ -1,10 +1,10 @@
-// Source that bvh/masks/overlap_mask.cpp includes for registers of sixteen floats.
+// bvh/masks/overlap_mask.cpp includes this source for registers of sixteen floats.
 
 // Does the same as OverlapKernel, for two lanes of y at once: a mask of sixteen bits is two bytes of the result.
 struct WideOverlap : avx2::ProjectedLanes<8> {
     using AxisSets = std::array<AxisSet, 2>;
 
-    // Returns those of `pairs` whose spans overlap on all axes.
+    // Returns the bits of `pairs` for lanes whose spans overlap on all axes.
     ECODS_ALWAYS_INLINE static std::uint64_t find_near(const Spans& x, const Spans& y, std::uint64_t pairs) noexcept {
         const wide::Floats x_low[3] = {twice(x.low[0]), twice(x.low[1]), twice(x.low[2])},
                            x_high[3] = {twice(x.high[0]), twice(x.high[1]), twice(x.high[2])},
@@ -82,7 +82,7 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
         return wide::twice(lanes.data());
     }
 
-    // Returns those of `pairs` that are in lane j or j + 1 of y and whose spans overlap on all axes.
+    // Returns the bits of `pairs` for lanes j and j + 1 of y that belong to pairs whose spans overlap on all axes.
     template <int j>
     ECODS_ALWAYS_INLINE static std::uint64_t near_two(const wide::Floats (&x_low)[3], const wide::Floats (&x_high)[3],
                                                       const wide::Floats (&y_low)[3], const wide::Floats (&y_high)[3],

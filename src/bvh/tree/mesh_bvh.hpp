@@ -17,11 +17,11 @@ namespace ecods {
 
 inline constexpr std::size_t tree_width = 8;
 using FloatLanes = std::array<float, tree_width>;
-// A number for each pair of lanes of two nodes: a squared distance, a rank or a time. The pair of lanes i and j has
-// index 8 i + j.
+// LaneBounds has a number for each pair of lanes of two nodes: a squared distance, a rank or a time. The pair of lanes
+// i and j has index 8 i + j.
 using LaneBounds = std::array<float, tree_width * tree_width>;
 
-// The index of a node or of a leaf, with a bit that says if it is a leaf.
+// A TreeRef is the index of a node or of a leaf, with a bit that says if it is a leaf.
 class TreeRef {
   public:
     TreeRef() = default;
@@ -37,16 +37,16 @@ class TreeRef {
     std::uint32_t bits_ = 0;
 };
 
-// A slab along the mean normal of some triangles: low <= normal . y <= high holds exactly for all of their points y. On
-// a smooth surface it is much thinner than their box. The length of the normal is about one, or zero.
+// A Slab bounds some triangles along their mean normal: low <= normal . y <= high holds exactly for all of their points
+// y. On a smooth surface it is much thinner than their box. The length of the normal is about one, or zero.
 struct Slab {
     std::array<float, 3> normal;
     float low;
     float high;
 };
 
-// Up to eight children with their boxes, and the slab of all of their triangles. Lanes from `count` on repeat the last
-// child.
+// A BvhNode has up to eight children with their boxes, and the slab of all of their triangles. Lanes from `count` on
+// repeat the last child.
 struct alignas(32) BvhNode {
     std::array<FloatLanes, 3> center;
     std::array<FloatLanes, 3> half;  // box: |y - center| <= half on each axis
@@ -58,7 +58,8 @@ struct alignas(32) BvhNode {
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };
 
-// Up to eight triangles. Coordinates are off by at most corner_error. Lanes from `count` on repeat the last triangle.
+// A TreeLeaf has up to eight triangles. Coordinates are off by at most corner_error. Lanes from `count` on repeat the
+// last triangle.
 //
 // The vertices are copies from Mesh::triangles(), 12 bytes for each triangle, so that code that needs the exact corners
 // does not have to load that list first. A leaf has the size of seven cache lines.
@@ -72,8 +73,8 @@ struct alignas(64) TreeLeaf {
     std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
 };
 
-// An upper bound of the error of a leaf's corner, on each axis: the error of computing a coordinate of magnitude at
-// most one, and of rounding it to a float in any mode.
+// corner_error is an upper bound of the error of a leaf's corner, on each axis: the error of computing a coordinate of
+// magnitude at most one, and of rounding it to a float in any mode.
 inline constexpr double corner_error = 0x1p-23 + coordinate_error;
 
 struct MeshBvh {

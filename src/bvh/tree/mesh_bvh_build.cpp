@@ -13,7 +13,7 @@ namespace {
 
 using PrimitiveRefs = std::vector<PrimitiveRef>;
 
-// A range of triangles, by their places in the builder's list, and its box.
+// A Range names triangles by their places in the builder's list, and has their box.
 struct Range {
     std::uint32_t begin;
     std::uint32_t end;
@@ -124,13 +124,13 @@ class Splitter {
     std::uint32_t block_begin_ = 0, block_end_ = 0;
 };
 
-// The numbers of roots into which the left and the right half of a node are divided.
+// Holds the numbers of roots into which the left and the right half of a node are divided.
 struct Split {
     std::uint8_t left = 0;  // both are 0 if the node itself is a root
     std::uint8_t right = 0;
 };
 
-// A node of the binary tree, from which the tree with eight children per node is made.
+// BinaryNode is a node of the binary tree, from which the tree with eight children per node is made.
 struct BinaryNode {
     FrameBox box;
     std::uint32_t begin;                     // first item of a leaf
@@ -183,8 +183,9 @@ class Builder {
         }
     }
 
-    // Computes, from the leaves up, the least cost of each binary node divided into at most one to eight roots. Each
-    // root is a leaf or a node with eight children, and is visited with a probability proportional to its surface.
+    // Computes, from the leaves up, the least cost of each binary node if it is divided into at most k roots, for k
+    // from 1 to 8. Each root is a leaf or a node with eight children, and is visited with a probability proportional to
+    // its surface.
     void find_costs() {
         for (std::size_t i = binary_.size(); i-- > 0;) {
             BinaryNode& node = binary_[i];

@@ -5,8 +5,8 @@
 namespace ecods {
 namespace {
 
-// The growth of the cost beyond which the tree is rebuilt. Rebuilding costs several times as much as refitting, and is
-// worth it if many queries follow.
+// If the cost grows by more than this factor, the tree is rebuilt. Rebuilding costs several times as much as refitting,
+// and is worth it if many queries follow.
 constexpr double cost_growth_max = 1.5;
 
 double surface_of(double x, double y, double z) noexcept {

@@ -119,7 +119,8 @@ bool is_thin(const BvhNode& node) {
     return of_slab * node.count < 0.25 * (2 * thickness);
 }
 
-// The range of the leaves below a node, which are consecutive in the tree's list, and the sum of their vector areas.
+// Holds the range of the leaves below a node, which are consecutive in the tree's list, and the sum of their vector
+// areas.
 struct LeafRange {
     std::size_t begin, end;
     Vec3 area;

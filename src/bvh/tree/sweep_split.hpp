@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// A triangle's box and index. The index is stored in the unused fourth lane of box.min.
+// Holds a triangle's box and index. The index is stored in the unused fourth lane of box.min.
 struct PrimitiveRef {
     FrameBox box;
 
@@ -36,8 +36,8 @@ inline float leaf_visits(std::uint32_t count) noexcept {
     return static_cast<float>(leaves);
 }
 
-// A block of items and their orders along the three axes. Each order is sorted once for the block, and stays sorted
-// while the block is split into smaller and smaller parts.
+// Holds a block of items and their orders along the three axes. Each order is sorted once for the block, and stays
+// sorted while the block is split into smaller and smaller parts.
 class SweepSplit {
   public:
     static constexpr std::uint32_t size_max = 64;  // for larger blocks, sorting costs more than it saves

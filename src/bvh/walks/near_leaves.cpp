@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t stack_size = 64;
 
-// A segment from a to b, in coordinates along the tree's axes.
+// Holds a segment from a to b, in coordinates along the tree's axes.
 struct SegmentOnAxes {
     std::array<float, 3> a, b;
     std::array<float, 3> low, high, middle, reach;  // its box, including the error

@@ -1,6 +1,5 @@
 // NearLeaves holds the leaves of a posed tree that overlap a box of the world. Segments within that box are then tested
-// against
-// these leaves, without a walk for each segment.
+// against these leaves, without a walk for each segment.
 //
 // A segment goes from A to B on the axes of line_axes.hpp, in floats. Each coordinate is off by less than `error`,
 // which is 64 v for floats, v = 2^-23, and E for the rest. The segment is apart from a leaf if they are disjoint on an
@@ -53,7 +52,7 @@ class NearLeaves {
                                         std::uint64_t& tested) noexcept;
 
   private:
-    // Up to eight leaves, by index, and their boxes.
+    // Holds up to eight leaves, by index, and their boxes.
     struct alignas(32) Group {
         std::array<FloatLanes, 3> center, half;
         std::array<std::uint32_t, tree_width> leaf;

@@ -12,15 +12,15 @@
 
 namespace ecods {
 
-// A pair of nodes or leaves, and a lower bound of its squared distance, which is finite and not negative.
+// Holds a pair of nodes or leaves, and a lower bound of its squared distance, which is finite and not negative.
 struct NearPair {
     float square;
     NodePair nodes;
 };
 
-// A bucket queue. Buckets are chosen by the leading bits of the square: there are 32 for each power of two, so
-// distances in one bucket differ by about one part in 64. Within a bucket the pair that was pushed last is popped
-// first, so that a walk goes deep. push() and pop() take constant time.
+// NearestQueue is a bucket queue. Buckets are chosen by the leading bits of the square: there are 32 for each power of
+// two, so distances in one bucket differ by about one part in 64. Within a bucket the pair that was pushed last is
+// popped first, so that a walk goes deep. push() and pop() take constant time.
 class NearestQueue {
   public:
     // Removes all pairs. Buckets cover squares from `limit` down to 2^-32 of it; all smaller squares share the first

@@ -1,4 +1,4 @@
-// The stack of a walk of one tree that visits the nearest nodes first.
+// Walks of one tree that visit the nearest nodes first keep the nodes to be visited on a stack.
 #pragma once
 
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace ecods {
 
-// A node or leaf to be visited, and a lower bound of its number: the parameter r at which a line meets it, or its
+// Holds a node or leaf to be visited, and a lower bound of its number: the parameter r at which a line meets it, or its
 // squared distance from a point.
 struct OrderedNode {
     float from;

@@ -15,13 +15,14 @@
 
 namespace ecods {
 
-// A node or leaf of each of two trees.
+// Names a node or leaf of each of two trees.
 struct NodePair {
     TreeRef a;
     TreeRef b;
 };
 
-// A set of pairs of lanes of two nodes or leaves: bit 8 j + i is for lane i of the first and lane j of the second.
+// Holds a set of pairs of lanes of two nodes or leaves: bit 8 j + i is for lane i of the first and lane j of the
+// second.
 class LanePairs {
   public:
     explicit LanePairs(std::uint64_t bits) : bits_(bits) {}
@@ -43,7 +44,7 @@ class LanePairs {
     std::uint64_t bits_;
 };
 
-// One pair of lanes.
+// Names one pair of lanes.
 struct LanesOfOne {
     std::size_t i, j;
 };

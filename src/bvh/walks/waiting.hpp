@@ -10,9 +10,9 @@
 
 namespace ecods {
 
-// A binary heap with the first item at the front. Order()(a, b) returns true if a comes before b; since its result is
-// unpredictable, it is best written without branches. All functions are inlined, so that walks can be compiled for an
-// instruction set.
+// Waiting is a binary heap with the first item at the front. Order()(a, b) returns true if a comes before b; since its
+// result is unpredictable, it is best written without branches. All functions are inlined, so that walks can be
+// compiled for an instruction set.
 template <class Item, class Order = std::less<Item>>
 class Waiting {
   public:

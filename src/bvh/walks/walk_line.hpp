@@ -15,7 +15,7 @@
 
 namespace ecods {
 
-// Sets of triangles of a leaf, as masks of lanes.
+// Holds sets of triangles of a leaf, as masks of lanes.
 struct FoundInLeaf {
     std::uint32_t may_meet;  // triangles that may share a point with the line
     std::uint32_t cross;     // of these, triangles whose planes are certainly not parallel to the line
@@ -58,8 +58,8 @@ struct LineLanes : ProjectedLanes<width> {
         return bits_of(lanes) & node.lanes();
     }
 
-    // The corners of a leaf's triangles relative to the line's point `start`: x and y in the projection along the line,
-    // and z as a difference of parameters along the line.
+    // Holds the corners of a leaf's triangles relative to the line's point `start`: x and y in the projection along the
+    // line, and z as a difference of parameters along the line.
     struct CornersFromLine {
         Floats x[3], y[3], z[3];
 

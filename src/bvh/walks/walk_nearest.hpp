@@ -10,7 +10,7 @@
 
 namespace ecods {
 
-// The functions that walk_nearest() calls.
+// NearestSearch lists the functions that walk_nearest() calls.
 //
 // `limit()` returns the current limit: pairs whose bound exceeds it are not visited. `find_near(x, y, bounds)` is
 // called once for each visited pair except two leaves; x and y are a BvhNode or a TreeLeaf of the first and the second

@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// A stack of at most `capacity` items, stored in the object itself.
+// FixedStack is a stack of at most `capacity` items, stored in the object itself.
 template <class T, std::size_t capacity>
 class FixedStack {
   public:
@@ -30,7 +30,7 @@ class FixedStack {
     std::size_t size_ = 0;
 };
 
-// Which child of a node is visited first: the last one or the first one.
+// Says which child of a node is visited first: the last one or the first one.
 enum class LaneOrder : std::uint8_t { last_first, first_first };
 
 // Visits the nodes of a tree depth-first.

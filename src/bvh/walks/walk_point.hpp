@@ -10,13 +10,13 @@
 
 namespace ecods {
 
-// A triangle and a lower bound of its squared distance, in units of the axes.
+// Holds a triangle and a lower bound of its squared distance, in units of the axes.
 struct NearTriangle {
     float lower;
     std::uint32_t triangle;
 };
 
-// The result of walks from a point, and scratch memory that later walks reuse.
+// Holds the result of walks from a point, and scratch memory that later walks reuse.
 struct PointWalk {
     std::vector<NearTriangle> found;
     // Upper bound of the squared distances of the triangles that may be nearest.

@@ -1,6 +1,7 @@
-// Source that bvh/walks/walk_point.cpp includes once for each instruction set.
+// bvh/walks/walk_point.cpp includes this source once for each instruction set.
 
-// A point, which is the origin of the axes, and the boxes of a node or the triangles of a leaf.
+// PointLanes bounds the distances of a point, the origin of the axes, from the boxes of a node or the triangles of a
+// leaf.
 //
 // Bound. Ends of boxes have the margins of separating_axes.hpp, and squared gaps those of distance_axes.hpp.
 //
@@ -32,7 +33,7 @@ struct PointLanes : BoundsKernel {
         return lanes_of(near) & node.lanes();
     }
 
-    // The point of each triangle that is nearest to the origin, as computed, and its squared length.
+    // Holds the point of each triangle that is nearest to the origin, as computed, and its squared length.
     struct Nearest {
         Floats square;
         Vector n;

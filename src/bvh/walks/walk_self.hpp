@@ -10,7 +10,8 @@
 
 namespace ecods {
 
-// The pairs of lanes i < j, as bits 8 j + i. For a node with itself these are all pairs of different lanes, once each.
+// Marks the pairs of lanes i < j, as bits 8 j + i. For a node with itself these are all pairs of different lanes, once
+// each.
 inline constexpr std::uint64_t lesser_lane_first = [] {
     std::uint64_t bits = 0;
     for (std::size_t j = 0; j < tree_width; ++j) bits |= ((std::uint64_t{1} << j) - 1) << (tree_width * j);
