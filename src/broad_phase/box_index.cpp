@@ -10,9 +10,9 @@
 namespace ecods {
 namespace {
 
-// Returns a fat box that contains `box`; `line` is `box`, packed. The margin is an eighth of the greatest extent on all
-// sides. In the direction of the last move, which is estimated from `old`, the previous fat box (if it is not empty),
-// up to half the extent is added. Small margins keep queries from finding the box in vain; any margins are correct.
+// Returns a fat box that contains `box`; `line` is `box`, packed. On all sides the margin is an eighth of the greatest
+// extent. In the direction of the last move, up to half of the extent is added; the move is estimated from `old`, the
+// previous fat box, unless that is empty. Small margins avoid false positives of queries; any margins are correct.
 PackedBox fatten(const Aabb& box, const PackedBox& line, const PackedBox& old) {
     constexpr double margin = 0.125, steps_ahead = 4;
     const double extent = (box.max - box.min).maxCoeff();

@@ -83,8 +83,8 @@ class BoxTree {
         return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
     }
 
-    // Give access to walks in other files. Level 0 holds boxes; the last level is one block. Child `lane` of block b on
-    // a level above 0 is block b * 8 + lane of the level below.
+    // These functions give access to walks in other files. Level 0 holds boxes; the last level is one block. Child
+    // `lane` of block b on a level above 0 is block b * 8 + lane of the level below.
     std::uint32_t level_count() const noexcept { return static_cast<std::uint32_t>(levels_.size()); }
     const BoxBlock& block(std::uint32_t level, std::uint32_t index) const { return levels_[level][index]; }
 
@@ -95,7 +95,7 @@ class BoxTree {
     // find(); some hundreds of queries are a good batch. `visits` is scratch. Returns the number of box tests.
     std::uint64_t find_each(std::span<const BoxReach> reaches, BlockVisits& visits, std::vector<FoundBox>& found) const;
 
-    // Appends to `found` the slots of all boxes but those that a test in doubles proves to be apart from a segment
+    // Appends to `found` the slots of the boxes that a test in doubles does not prove to be apart from a segment
     // (SegmentBounds) or a ball (BallBounds). Returns the number of box tests.
     template <class Bounds>
     std::uint64_t find(const Bounds& bounds, std::vector<SlotIndex>& found) const;

@@ -1,7 +1,7 @@
-// Provides what the walks of a BoxTree share: a view of its levels, and the search for parents of blocks. The functions
-// here are always inlined into functions that are compiled for each instruction set (simd/dispatch.hpp). The latter
-// take the levels and slots of a tree as arguments and are no members of BoxTree, so that the class need not declare
-// them.
+// Provides the parts that the walks of a BoxTree share: a view of its levels, and the search for parents of blocks. The
+// functions here are always inlined into functions that are compiled for each instruction set (simd/dispatch.hpp).
+// Those functions are no members of BoxTree, and take the levels and slots of a tree as arguments, so that the class
+// need not declare them.
 #pragma once
 
 #include <cstddef>

@@ -102,8 +102,9 @@ ECODS_ALWAYS_INLINE void make_packed_box(const Aabb& box, PackedBox& line) noexc
     store_lanes(lanes, line);
 }
 
-// Sets `reach` to the box in `line`, prepared for overlap tests. The two numbers that both registers of a packed box
-// have are compared in one register each: in the other one, the greatest number stands there, which every end passes.
+// Sets `reach` to the box in `line`, prepared for overlap tests. Both registers of a packed box have the numbers 2 and
+// 3, but each of these is compared in one register only. At its place in the other register, `reach` has the greatest
+// number, which no end exceeds.
 ECODS_ALWAYS_INLINE void make_reach(const PackedBox& line, BoxLanes& reach) noexcept {
     BoxLanes ends;
     load_lanes(line, ends);

@@ -110,9 +110,9 @@ void KeptCandidates::remove(Update& update) {
     }
 }
 
-// Moves boxes, some at a time, and lists the boxes that escaped. If `fattens` is true, or if many turn out to escape,
-// gives the escaped boxes new fat boxes after each part instead of listing all, and returns true: a list of all escaped
-// boxes would be written to memory and read again.
+// Moves boxes in parts, lists the boxes that escaped, and returns false. If `fattens` is true, or if many boxes escape,
+// instead gives the escaped boxes new fat boxes after each part, and returns true: a list of all escaped boxes would be
+// written to memory and read again.
 bool KeptCandidates::move(const FindingUpdate& finding, bool fattens) {
     constexpr std::size_t part = 1024;
     const auto& [table, changes, keeper, events, counts] = finding;

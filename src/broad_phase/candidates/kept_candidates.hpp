@@ -40,7 +40,7 @@ class KeptCandidates final : public PairFinder {
     void validate(const ProxyTable& table) const override;
 
   private:
-    // Holds what the steps of an update that looks up few boxes pass to each other.
+    // Holds the data that the steps of an update pass to each other, if the update looks up few boxes.
     struct Update {
         const FindingUpdate& finding;
         bool are_removed_reported;     // true if the events include the pairs of removed boxes already
@@ -57,7 +57,7 @@ class KeptCandidates final : public PairFinder {
         double lifetime_of_fast;  // number of updates that the widest margin of a fast box lasts
     };
 
-    // kept_candidates.cpp
+    // These functions are in kept_candidates.cpp.
     bool look_up_changes(const FindingUpdate& finding, std::size_t woken);
     void remove(Update& update);
     bool move(const FindingUpdate& finding, bool fattens);
@@ -68,23 +68,23 @@ class KeptCandidates final : public PairFinder {
     void put_to_sleep(std::size_t moved_count);
     void release_working_memory();
 
-    // kept_candidates_wake.cpp
+    // These functions are in kept_candidates_wake.cpp.
     void wake(const FindingUpdate& finding);
     void widen_woken(const ProxyTable& table);
     void link_woken(std::size_t begin, std::size_t end, BroadPhaseCounts& counts);
 
-    // kept_candidates_search.cpp
+    // These functions are in kept_candidates_search.cpp.
     PackedBox fatten(std::size_t index, const ProxyTable& table);
     void search_escaped(Update& update);
     void link(std::size_t begin, std::size_t end, Update& update);
     void link(SlotIndex slot, const PackedBox& old_fat, const LookUps::NewPartner& found, const Update& update);
     const PackedBox& fat_line_before(SlotIndex slot) const noexcept;
 
-    // kept_candidates_foresight.cpp
+    // These functions are in kept_candidates_foresight.cpp.
     Foresight foresee(const ProxyTable& table, const ProxyChanges& changes) const;
     double lifetime_of_escaped(const ProxyTable& table) const;
 
-    // kept_candidates_everything.cpp
+    // These functions are in kept_candidates_everything.cpp.
     void replace_everything(const FindingUpdate& finding);
     void search_everything(const ProxyTable& table, bool must_sort, BroadPhaseCounts& counts);
     void fatten_everything(const ProxyTable& table, bool must_sort);
@@ -101,7 +101,7 @@ class KeptCandidates final : public PairFinder {
     RebuildRule rebuild_;
     bool has_margins_ = true;  // if false, fat boxes are stale, and there are no candidates
 
-    // Scratch of an update.
+    // The members below are scratch of an update.
     std::vector<EscapedBox> escaped_;
     std::vector<SlotIndex> looked_up_;  // slots of boxes that wake up; later in the update, slots of boxes that escaped
     std::vector<PackedBox> old_fats_;   // previous fat boxes of looked_up_; an added box has an empty one

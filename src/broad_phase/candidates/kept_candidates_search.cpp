@@ -7,7 +7,7 @@
 namespace ecods {
 namespace {
 
-// The prefetch distance, in boxes.
+// Prefetches run this number of boxes ahead.
 constexpr std::size_t escaped_ahead = 6;
 
 bool has_lower_slot(const EscapedBox& a, const EscapedBox& b) noexcept {

@@ -7,7 +7,7 @@
 namespace ecods {
 namespace {
 
-// The prefetch distance, in boxes.
+// Prefetches run this number of boxes ahead.
 constexpr std::size_t woken_ahead = 6;
 
 }  // namespace

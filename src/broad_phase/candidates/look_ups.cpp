@@ -8,10 +8,10 @@
 namespace ecods {
 namespace {
 
-// The prefetch distance, in found boxes.
+// Prefetches run this number of found boxes ahead.
 constexpr std::size_t found_ahead = 8;
 
-// Holds the slots that are looked up, and what was known of them.
+// Holds the slots that are looked up, their previous fat boxes, and the flags by which partners are known already.
 struct Asked {
     std::span<const SlotIndex> wanted;
     std::span<const PackedBox> old_fats;

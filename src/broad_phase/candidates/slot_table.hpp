@@ -64,17 +64,17 @@ class SlotTable {
     ProxyPair pair_of(SlotIndex a, SlotIndex b) const noexcept { return ordered_pair(proxies_[a], proxies_[b]); }
     void prefetch(SlotIndex slot) const noexcept;
 
-    // ---- coarse boxes: not worth their memory if nearly all boxes are asleep
+    // Makes or drops the coarse boxes, which are not worth their memory if nearly all boxes are asleep.
     void choose_coarse_boxes();
 
-    // ---- coming and going
+    // add() and remove() put boxes into slots and take them out.
     SlotIndex add(ProxyIndex proxy, const Aabb& box);  // the slot is asleep and has no fat box
 
     // Sets the box of a slot to the empty one, and marks the slot as changed. The slot is used again after
     // forget_changes().
     void remove(SlotIndex slot);
 
-    // ---- moving: copies boxes from the table, and appends the ones that left their fat boxes to `escaped`
+    // move_range() and move() copy boxes from the table, and append the boxes that left their fat boxes to `escaped`.
     void move_range(std::size_t begin, std::size_t end, const ProxyTable& table, const MovingFrame& frame,
                     std::vector<EscapedBox>& escaped);  // for slots begin to end, in the order of memory
     void move(std::span<const ProxyIndex> proxies, const ProxyTable& table, const MovingFrame& frame,
@@ -92,7 +92,7 @@ class SlotTable {
     // Sets all fat boxes to the boxes.
     void drop_margins() { fat_lines_ = lines_; }
 
-    // ---- being awake
+    // The functions down to put_resting_to_sleep() read and change which slots are awake.
     std::size_t count_asleep(std::span<const ProxyIndex> proxies) const noexcept;
     void note_moved(SlotIndex slot) noexcept { flags_[slot] |= moved; }
     void wake(SlotIndex slot) noexcept;
@@ -109,7 +109,7 @@ class SlotTable {
     // boxes moved in it.
     bool put_resting_to_sleep(std::size_t moved_count) noexcept;
 
-    // ---- changes
+    // The functions down to forget_changes() handle slots whose fat boxes changed.
     const std::vector<SlotIndex>& changed_slots() const noexcept { return changed_slots_; }
     void settle_escaped(std::span<const EscapedBox> escaped);  // clears the flag, and notes the slots as changed
     void settle_all_escaped() noexcept;                        // clears the flag after changes were forgotten

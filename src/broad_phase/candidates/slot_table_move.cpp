@@ -21,7 +21,7 @@ SlotView SlotTable::view() noexcept {
 
 namespace {
 
-// The prefetch distance, in boxes.
+// Prefetches run this number of boxes ahead.
 constexpr std::size_t boxes_ahead = 12;
 
 // Prefetches a box that comes some slots later in a walk over all slots. The box may lie on two cache lines.

@@ -13,7 +13,7 @@
 namespace ecods {
 namespace {
 
-// Prefetch distance, in boxes.
+// Prefetches run this number of boxes ahead.
 constexpr std::size_t prefetch_distance = 12;
 
 }  // namespace
