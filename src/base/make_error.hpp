@@ -53,7 +53,7 @@ InvalidArgument null_argument(const std::string& name);
 InvalidArgument mesh_and_shape();
 // The functions below make errors about the numbers given to builders.
 InvalidArgument invalid_size(const std::string& part, double value);
-InvalidArgument size_not_even(const std::string& part, double value);  // half of it is no double
+InvalidArgument size_not_even(const std::string& part, double value);  // half of the value is no double
 InvalidArgument size_too_large(const std::string& part, double value);
 InvalidArgument invalid_base(double value);  // of a height field
 InvalidArgument invalid_count(const std::string& part, std::size_t count, std::size_t min, std::size_t max);

@@ -1,5 +1,5 @@
-// distance_below returns a lower bound of the distance of two boxes. It serves to leave out boxes that are too far
-// away; no answer follows from it alone.
+// distance_below returns a lower bound of the distance of two boxes. The bound serves to leave out boxes that are too
+// far away; no answer follows from it alone.
 #pragma once
 
 #include <algorithm>

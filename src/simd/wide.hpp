@@ -40,8 +40,8 @@ ECODS_ALWAYS_INLINE Floats two_of(Floats v) noexcept {
     return _mm512_maskz_permutexvar_ps(all_lanes, _mm512_setr_epi32(a, a, a, a, a, a, a, a, b, b, b, b, b, b, b, b), v);
 }
 
-// not_above() returns those of `lanes` in which x > y is false, and not_below() those in which x < y is false. Both
-// comparisons are false if a number is NaN.
+// not_above() returns the lanes in `lanes` in which x > y is false, and not_below() the lanes in which x < y is false.
+// Both comparisons are false if a number is NaN.
 ECODS_ALWAYS_INLINE Mask not_above(Mask lanes, Floats x, Floats y) noexcept {
     return _mm512_mask_cmp_ps_mask(lanes, x, y, _CMP_NGT_UQ);
 }
@@ -87,7 +87,7 @@ struct PairNumbers {
         j = _mm256_srli_epi32(lanes, 3);
     }
 
-    // Returns the bits of those pairs whose lane in `lanes` is all ones. Each lane must be all ones or zero.
+    // Returns the bits of the pairs whose lane in `lanes` is all ones. Each lane must be all ones or zero.
     ECODS_ALWAYS_INLINE std::uint64_t bits_of(const Vec<std::int32_t, 8>& lanes) const noexcept {
         const __mmask8 mask = _mm256_movepi32_mask(_mm256_load_si256(reinterpret_cast<const __m256i*>(&lanes)));
         return _pdep_u64(mask, bits);

@@ -15,7 +15,7 @@ namespace ecods::exact {
 namespace {
 
 // Returns the greatest double that is at most m 2^e, where m is not zero and e >= -1074, and sets is_exact if the two
-// are equal. Beyond the largest double, returns that one.
+// are equal. Beyond the largest double, returns the largest double.
 double round_down(NaturalSpan m, int e, bool& is_exact) noexcept {
     const int width = bit_width(m), drop = std::max(width - mantissa_bits, 0);
     std::uint64_t kept = 0;
@@ -33,7 +33,7 @@ double round_down(NaturalSpan m, int e, bool& is_exact) noexcept {
         is_exact = false;
         return std::numeric_limits<double>::max();
     }
-    // The double is subnormal if it is below 2^-1022. Its digits are then those of a multiple of 2^-1074.
+    // A double below 2^-1022 is subnormal. Its bits count units of 2^-1074.
     if (top <= -1022) return std::bit_cast<double>(kept << (e + drop + 1074));
     const std::uint64_t fraction = kept << (mantissa_bits - digits);
     return std::bit_cast<double>(fraction + (static_cast<std::uint64_t>(top + 1021) << 52));

@@ -48,8 +48,8 @@ class Integer {
     int sign() const noexcept { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
     bool is_zero() const noexcept { return size_ == 0; }
 
-    // limbs() returns the magnitude without leading zeros, and bit_width() its number of bits. Both are empty or 0 for
-    // zero.
+    // limbs() returns the magnitude without leading zeros, and bit_width() its number of bits. For zero, limbs() is
+    // empty and bit_width() is 0.
     NaturalSpan limbs() const noexcept { return {data(), size_}; }
     int bit_width() const noexcept { return exact::bit_width(limbs()); }
     // Returns the number of zero bits at the low end of the magnitude. Must not be called for zero.

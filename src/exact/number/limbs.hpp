@@ -75,7 +75,7 @@ inline Magnitude<L> magnitude(const Limbs<L>& a) noexcept {
     return result;
 }
 
-// Products of numbers with more pairs of limbs than this are functions of their own. Inlined and unrolled at each call,
+// Products with more than this number of pairs of limbs are functions of their own. Inlined and unrolled at each call,
 // they were a tenth of the library's code and of its compile time.
 inline constexpr int inlined_products_max = 16;
 

@@ -29,8 +29,8 @@ inline constexpr int sum_bits = 3 + 1 + 3;
 inline constexpr int limb_count_max = 66;
 static_assert(2048 + 2148 + sum_bits <= 64 * limb_count_max);
 
-// Calls use(L) with the least number L of limbs, of those listed below that are at least `least`, that holds `bits`
-// bits. L is an integral_constant. Returns the result of the call.
+// Calls use(L) with the least number L of limbs in the list below that is at least `least` and holds `bits` bits. L is
+// an integral_constant. Returns the result of the call.
 template <int least, class Use>
 auto with_limb_count(int bits, Use&& use) {
     ECODS_ASSERT(bits <= 64 * limb_count_max);

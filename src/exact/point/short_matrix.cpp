@@ -39,9 +39,9 @@ bool ShortMatrix::bind(const Mat3& R) noexcept {
     return are_short;
 }
 
-// Sets the unit of short products to 2^unit_: 2^-124 of the product of upper bounds of all |R_ij| and all |v_j|. So a
-// product that is not zero is at least 2^unit_ and at most 2^(unit_ + 124). It is also a multiple of the caller's
-// 2^unit and less than 2^(unit + 120), so add() shifts by less than 128 bits.
+// Sets the unit of short products, 2^unit_, to 2^-124 times an upper bound of all |R_ij| times an upper bound of all
+// |v_j|. So a product that is not zero is at least 2^unit_ and at most 2^(unit_ + 124). It is also a multiple of the
+// caller's 2^unit and less than 2^(unit + 120), so add() shifts by less than 128 bits.
 void ShortProducts::bind(const Mat3& R, const std::array<BitRange, 3>& v, const BitRange& products) noexcept {
     is_bound_ = true;
     BitRange all;

@@ -17,8 +17,8 @@ namespace ecods::exact {
 
 // Short numbers are below 2^62 in magnitude, so a sum of three products is below 2^126.
 inline constexpr int short_bits = 62;
-// The largest |exponent| of a power of two by which numbers are scaled to short ones. With it no scaling underflows, in
-// any rounding mode.
+// Numbers are scaled to short ones by a power of two whose exponent has at most this magnitude. Then no scaling
+// underflows, in any rounding mode.
 inline constexpr int short_power_max = 480;
 
 // Sets `result` to x * power rounded towards zero, and returns true if x * power is an integer. x must be 0 or |x| >=

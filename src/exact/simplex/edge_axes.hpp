@@ -1,9 +1,11 @@
-// edges_separate tests if the cross product of an edge of each separates two triangles, which may have no area.
+// edges_separate tests if two triangles, which may have no area, are separated by the cross product of one edge of
+// each.
 //
 // The plane of a triangle that is a segment is not known from rounded points, because all its determinants are about
-// zero. So every pair with such a triangle whose boxes meet would need integers, and real meshes have such triangles.
-// Disjoint convex polygons that neither polygon's plane separates are separated by the cross product of an edge of each
-// (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996, section 5). It is certainly not zero for most pairs.
+// zero. Without this test, a pair with such a triangle would need integers whenever its boxes meet, and real meshes
+// have such triangles. Disjoint convex polygons that neither polygon's plane separates are separated by the cross
+// product of an edge of each (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996, section 5). It is certainly not zero
+// for most pairs.
 #pragma once
 
 #include <algorithm>

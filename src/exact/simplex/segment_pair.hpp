@@ -105,7 +105,7 @@ Relation segment_triangle(Signs& signs, Segment s, int first) {
     return side_a * side_b < 0 && !zero ? Relation::crossing : Relation::touching;
 }
 
-// Decides a pair of triangles of which at least one has zero area. Two segments that meet are in one plane, so the
+// Decides a pair of triangles if at least one of them has zero area. Two segments that meet are in one plane, so the
 // result is touching.
 template <class Signs>
 Relation degenerate_pair(Signs& signs) {

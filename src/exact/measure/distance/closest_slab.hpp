@@ -47,8 +47,8 @@ class ClosestSlab {
     }
 
   private:
-    // The longest normal is (u.u) w - (w.u) u; exact_features.hpp derives how wide it is, and how wide its product with
-    // a difference is.
+    // The longest normal is (u.u) w - (w.u) u; exact_features.hpp derives the width of this normal, and of its product
+    // with a difference.
     static constexpr int normal_limbs = 3 * limb_count;
 
     bool is_set_ = false;

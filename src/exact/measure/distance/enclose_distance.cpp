@@ -1,13 +1,13 @@
 // Derivation. w, a1, a2, b1, b2, ScaledVectors, E, and the bounds of polynomials are defined in triangle_vectors.hpp.
 // The corners p and q there are corners of the guessed features.
 //
-// Lower bound: the gap along a vector n, divided by the length of n. The length is at most sqrt(n.n) (1 + 4 u'): each
-// term of n.n has at most three factors 1 + e, all terms are positive, and the root has one more.
+// The lower bound is the gap along a vector n, divided by the length of n. The length is at most sqrt(n.n) (1 + 4 u'):
+// each term of n.n has at most three factors 1 + e, all terms are positive, and the root has one more.
 //
-// Upper bound: the distance of two points of the triangles. Weights c >= 0 of a1 and a2, of sum at most 1, and of b1
-// and b2, give points of the triangles, whose difference is z = w + cb1 b1 + cb2 b2 - ca1 a1 - ca2 a2. In w's power of
-// two the weights are c 2^(shift - shift of w). A term has one rounding as a product and at most four in sums, so a
-// coordinate of z is off by at most ((1 + u')^5 - 1) X + eta <= 10.01 + eta times 1 + (the sum of these weights), and
+// The upper bound is the distance of two points of the triangles. Weights c >= 0 of a1 and a2, of sum at most 1, and of
+// b1 and b2, give points of the triangles, whose difference is z = w + cb1 b1 + cb2 b2 - ca1 a1 - ca2 a2. In w's power
+// of two the weights are c 2^(shift - shift of w). A term has one rounding as a product and at most four in sums, so a
+// coordinate of z is off by at most ((1 + u')^5 - 1) X + eta <= 10.01 + eta, times 1 plus the sum of these weights, and
 // |z| by sqrt(3) times as much. Weights that are not optimal only make the interval wider.
 // Claim: verify/proofs/enclosure.g
 // Claim: verify/proofs/distance_ends.py
@@ -26,7 +26,7 @@ namespace {
 
 constexpr double root_of_3 = 1.7320509;
 
-// Computes both bounds for one pair of features, from the vectors between and along these.
+// Computes both bounds for one pair of features, from the vector between the features and the vectors along them.
 class DistanceEnds {
   public:
     DistanceEnds(const IntegerPair& pair, const FeaturePair& f) noexcept : x_(pair, f) {
