@@ -1,5 +1,5 @@
-// A MovingBox computes bounds of the times at which a moving box may meet other boxes. They serve to leave out boxes;
-// no answer follows from a bound alone.
+// A MovingBox computes bounds of the times at which a moving box may meet other boxes. The bounds serve to leave out
+// boxes; no answer follows from a bound alone.
 #pragma once
 
 #include <algorithm>

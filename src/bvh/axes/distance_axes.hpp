@@ -5,14 +5,15 @@
 // the directions of each tree's boxes. Here the rows of N must be nearly orthogonal and of nearly one length, because
 //     |x| >= |N x| / sqrt(largest eigenvalue of N N^T),
 // so the gaps of boxes on the three axes give a lower bound of their distance. If a pose is not a similarity (it
-// stretches, shears, or flattens), the axes are those of the world, and both trees' boxes are projected.
+// stretches, shears, or flattens), the axes of the world are taken, and both trees' boxes are projected.
 //
 // Bound. Ends of boxes have the margins of separating_axes.hpp. Errors from here on are relative, with v = 2^-23. A gap
-// is a difference of ends (v, its square 2 v); squares, two sums and the factor `square` have v each: together below 7
-// v. For slabs the normal's length is at most 1 + 2^-22, its square 1 + 2^-21. `square` is smaller than the real factor
-// by 2^-18, which covers these errors. With u' = 2^-52, K = N N^T / factor and tau the largest row sum of |K - I|, the
-// largest eigenvalue of N N^T is at most factor (1 + tau) (Gershgorin). K as computed is off by 6 u', and the axes as
-// used by 2^-170: 2^-40 is added to tau.
+// is a difference of ends: it is off by v, and its square by 2 v. Squaring, two sums and the factor `square` add v
+// each: together below 7 v. For slabs the normal's length is at most 1 + 2^-22, its square 1 + 2^-21. `square` is
+// smaller than the real factor by 2^-18, which covers these errors. With u' = 2^-52, K = N N^T / factor and tau the
+// largest row sum of |K - I|, the largest eigenvalue of N N^T is at most factor (1 + tau) (Gershgorin). K as computed
+// is off by 6 u', and the axes as used by 2^-170: 2^-40 is added to tau.
+//
 // Underflow: a mode that rounds up makes squares larger by 2^-149 each, and products by as much. With `square` below
 // 2^5 the sum of these is below 2^-140, and limits, with which squares are compared, are raised by 2^-120. Overflow:
 // the sums s are required to be below 2^55. Otherwise the margin is infinite, and gaps are 0, as they are for NaN.
@@ -81,8 +82,8 @@ class PointAxes {
     bool are_useful() const noexcept { return are_useful_; }
     const DistanceSet& set() const noexcept { return set_; }
 
-    // Returns the limit of lower bounds that follows from a point of a triangle: `square` is its squared distance on
-    // the axes as computed. A triangle whose bound is greater is further away.
+    // Returns the limit for lower bounds that a point of a triangle gives: `square` is the point's squared distance on
+    // the axes as computed. A triangle with a greater lower bound is farther away.
     float limit_of(float square) const noexcept { return square_above(distance_above(set_, square, unit_)); }
     float square_above(double distance) const noexcept { return ecods::square_above(distance, unit_); }
 

@@ -19,9 +19,9 @@
 // products and sums cost 4.01 v each for the middle and the reach of a box, and its end 2 v: 10.1 v S. Corners of
 // triangles cost 1.01 v S, and converting, products and sums 4.01 v S, which is less. The difference is below 2 S, and
 // adding reach = S makes 3 S: 5 v S for both. The margin is 24 v S. Doubles: n is a row of N, so the margin of
-// DoubleAxes covers m_a, m_b and g. |n| has 2.5 u', two products u' each, and 16 u' are added. The sums that are
-// compared have four roundings of u' times the sum of their terms' magnitudes at most, and 8 u' of that sum are added.
-// Underflow: see separating_axes.hpp; for n in units it is 2^-600 of |n|.
+// DoubleAxes covers m_a, m_b and g. |n| is off by 2.5 u', and two products by u' each; 16 u' are added. The sums that
+// are compared have four roundings of u' times the sum of their terms' magnitudes at most, and 8 u' of that sum are
+// added. Underflow: see separating_axes.hpp; for n in units it is 2^-600 of |n|.
 // Claim: verify/proofs/float_axes.py
 #pragma once
 
@@ -33,7 +33,7 @@ namespace ecods {
 
 class FarGap {
   public:
-    // Binds two posed trees. Trees and `d` must be those to which `axes` is bound.
+    // Binds two posed trees. `axes` must be bound to the same trees and `d`.
     void bind(const DistanceAxes& axes, const PosedTree& a, const PosedTree& b, const Vec3& d);
 
     // True if the trees are so far apart that ranks prune better than squared distances do. If it is false, no other

@@ -1,7 +1,7 @@
 // LineAxes projects a line and a posed tree to three axes, for any affine pose. So kernels find which boxes and
 // triangles of a node may share a point with the line, and from which parameter on.
 //
-// The axes N are those of separating_axes.hpp: the normals of the faces of the tree's own boxes or, if a pose makes
+// The axes N are chosen as in separating_axes.hpp: the normals of the faces of the tree's own boxes or, if a pose makes
 // these too flat, the axes of the world. The map x -> N x maps lines to lines, and a box contains the same points after
 // it. A point of the body is R (center + map y) + t, and a point of the line is a + s d. They are equal if
 //     X + s D = P y,    X = N ((a - t) - R center),  D = N d,  P = N R map,
@@ -20,35 +20,36 @@
 // |P - I| if it is taken for the identity.
 //
 // Floats, v = 2^-23. Boxes are within [-1, 1], e is at most 2.1 and o at most 3.2, all times 3 if P is not the identity
-// (rows of P are then at most 3). Numbers are converted: v each. Coordinates of e that are below 2^-30 are replaced by
+// (rows of P are then at most 3). Converting a number costs v. Coordinates of e that are below 2^-30 are replaced by
 // 2^-30. A box [c - h, c + h] has the margin m, which contains all errors. The line meets it from t - q to t + q, where
 // t = (c - o) / e and q = (h + m) / |e|. On the axis, that is in r times e, t is off by 3.01 v |c - o| <= 13 v, q by
 // 3.01 v 1.2, and their sum by v 2.1 if it lies within [0, 1] and matters. Projected boxes have another 4.01 v 3 for
 // center and reach. Together with the conversions, 7 v, that is below 40 v, or 140 v for three times the size; 96 v and
 // 400 v are in the margin.
 //
-// Triangles are projected along the line to a plane. With g = o + r e for some r, p = corner - g, and slopes k = e_x /
-// e_z and k' = e_y / e_z for the axis z on which e is largest, (p_x - k p_z, p_y - k' p_z) is a point of the plane, in
-// which the line is zero. For corners there is an error of corner_error (5.1 v 3 if P is not the identity), 14 v for
-// the position of the line, 7.5 v for p; twice these, since |k| <= 1, 2.3 v for the part that the slopes leave, and 23
-// v for products and sums. So with `side` = 2 (error + corner) + 80 v, times four in general, each coordinate is off by
-// less than `side`. The area of two such points, of size E, is off by B = 4 E side + 2 side^2 + 4 v E^2. These areas
-// are the weights w of the corners in the point where the line crosses the triangle's plane. Their sum is off by 3 B +
-// 2 v sum |w|, and is not zero if the line is not parallel to the plane. That point is beyond the parameter T if sum w
-// (z - T) has the sign of sum w, where z are the corners' parameters r, off by `depth`. This sum is off by 3 B (|z| + T
-// + depth) + sum |w| (depth + 4.1 v (|z| + T)). If coordinates of e were replaced and e is below 2^-7, the slopes show
-// where points of the line may be, but not which planes are parallel to it.
+// Triangles are projected along the line to a plane. Let g = o + r e for some r, p = corner - g, z the axis on which e
+// is largest, k = e_x / e_z and k' = e_y / e_z. Then (p_x - k p_z, p_y - k' p_z) is the projection of the corner, and
+// the projection of the line is 0. A corner has corner_error (5.1 v 3 if P is not the identity), the position of the
+// line 14 v and p 7.5 v. These count twice, since |k| <= 1. Rounding the slopes adds 2.3 v, products and sums 23 v. So
+// with `side` = 2 (error + corner) + 80 v, times four in general, each coordinate is off by less than `side`. The area
+// (cross product) of two projected corners, of size E, is off by B = 4 E side + 2 side^2 + 4 v E^2. These areas are the
+// weights w of the corners in the point where the line crosses the triangle's plane. Their sum is off by 3 B + 2 v sum
+// |w|, and is not zero if the line is not parallel to the plane. That point is beyond the parameter T if sum w (z - T)
+// has the sign of sum w, where z are the corners' parameters r, off by `depth`. The sum of w (z - T) is off by 3 B (|z|
+// + T + depth) + sum |w| (depth + 4.1 v (|z| + T)). If coordinates of e were replaced and e is below 2^-7, the slopes
+// show where points of the line may be, but not which planes are parallel to it.
 //
 // If all three weights certainly have one sign, the line crosses the face, at T = sum w z / sum w for the real weights
 // and parameters, which is between the z. With far = max |z|, |sum w (z - T)| for the computed numbers is at most 6 B
-// (far + depth) + sum |w| depth. The quotient is off by that over |sum w|, by 7 v sum |w| far / |sum w| for products,
-// sums and the quotient, and by 4 v (far + r) for adding the r at which z is 0. The line is hit there within its ends
-// if T is between 2^-16 and 1 - 2^-16: then s = s0 + T (s1 - s0), which rounding changes by 3 u', is less than s1.
+// (far + depth) + sum |w| depth. The quotient is off by this bound divided by |sum w|, by 7 v sum |w| far / |sum w| for
+// products, sums and the quotient, and by 4 v (far + r) for adding the r at which z is 0. The crossing is within the
+// line's ends if T is between 2^-16 and 1 - 2^-16: then s = s0 + T (s1 - s0), which rounding changes by 3 u', is less
+// than s1.
 //
-// Boxes of the world: differences from t are off by u' of themselves, and their mean and half their difference by 3 u'
-// |x - t| together, which is added to the half. N and the tree's numbers are bounded as above. Within 4 of zero, floats
-// are off by 4 v for converting, 5 v for the difference of centers and 6 v for the sum of halves; a point is off by 4
-// v. 64 v are added.
+// Boxes of the world. A difference x - t is off by u' of itself. The center and the half, computed from two such
+// differences, are off by 3 u' |x - t| together, which is added to the half. N and the tree's numbers are bounded as
+// above. Within 4 of zero, floats are off by 4 v for converting, 5 v for the difference of centers and 6 v for the sum
+// of halves; a point is off by 4 v. 64 v are added.
 //
 // Underflow: as in separating_axes.hpp, factors are below 2^900; floats that matter are above 2^-60.
 #pragma once

@@ -9,9 +9,9 @@
 // the same axes. So chords are loose only by the angle by which boxes turn, times their own size, and that is least for
 // small boxes.
 //
-// The sets of axes are those of separating_axes.hpp, with its bounds. Each set exists twice, with the same axes: for
-// the poses at the start and at the end. Coordinates are relative to the first body's translation, which moves
-// linearly, too.
+// The sets of axes and their bounds are as in separating_axes.hpp. Each set exists twice, with the same axes: for the
+// poses at the start and at the end. Coordinates are relative to the first body's translation, which moves linearly,
+// too.
 //
 // A margin is a distance in the world. On the axis n it is |n| times as large, with |n| as computed: off by 2.5 u', and
 // by three roundings more. 1 + 2^-22 covers these, and the last conversion to a float.

@@ -6,8 +6,8 @@ ECODS_ALWAYS_INLINE Matrix4 middle(const Edges& start, const Edges& end) noexcep
     return result;
 }
 
-// Binds the first set to the face normals of a's boxes, and the second to those of b's, half-way through the motion.
-// Returns these normals.
+// Binds the first set to the face normals of a's boxes, and the second to the face normals of b's boxes, half-way
+// through the motion. Returns these normals.
 ECODS_ALWAYS_INLINE std::array<Matrix4, 2> bind_sets(std::array<MotionSet, 2>& sets, const MovingTree& a,
                                                      const MovingTree& b, const Vec3& d_from,
                                                      const Vec3& d_to) noexcept {

@@ -81,8 +81,8 @@ ECODS_ALWAYS_INLINE Double4 distance_from_identity(const Matrix4& m) noexcept {
                              absolute(m.column[2] - Double4{0, 0, 1, 0})}});
 }
 
-// Returns what axes_of() returns, up to rounding, for a pose that is a rotation, as nearly all are. Then the edges are
-// orthogonal and of one length, so the normals are parallel to the edges, and no determinant is needed.
+// Returns the result of axes_of(), up to rounding, for a pose that is a rotation, as nearly all poses are. Then the
+// edges are orthogonal and of one length, so the normals are parallel to the edges, and no determinant is needed.
 template <class V>
 ECODS_ALWAYS_INLINE Matrix<V> normals_along(const EdgesOf<V>& edges) noexcept {
     const NumberOf<V> per_scale = 1 / edges.scale;
@@ -124,7 +124,8 @@ struct AxesOf {
         set_margin();
     }
 
-    // Sets the axes of trees one of which moves. `path` is its motion on the axes; it is added to s, like an offset.
+    // Sets the axes of two trees, one of which moves. `path` is its motion on the axes; it is added to s, like an
+    // offset.
     ECODS_ALWAYS_INLINE AxesOf(const Matrix<V>& N, const EdgesOf<V>& own_edges, const EdgesOf<V>& other_edges,
                                V between, V d_size, V path) noexcept {
         set_sums(N, N * own_edges.edges, own_edges, other_edges, between, d_size);

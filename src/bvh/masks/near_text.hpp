@@ -42,8 +42,8 @@ struct NearMeasure : ProjectedLanes<float_width> {
     // projected, whereas the sets' axes measure boxes around them. For nodes this step is skipped: the gap of two boxes
     // along n is seldom larger than the gaps on their axes.
     //
-    // Bound: y as for SlabAxis. x has the error of a corner and 3.01 v s for products and sums, or 7 v s for a box:
-    // below twice point_error, summed as |n_k| (...)_k.
+    // Bound: the projection of y is bounded as for SlabAxis. The projection of x has the error of a corner and 3.01 v s
+    // for products and sums, or 7 v s for a box: below twice point_error, summed as |n_k| (...)_k.
     ECODS_ALWAYS_INLINE void look_first(const TreeLeaf& x, const TreeLeaf& y, Ints (&near)[part_count]) const noexcept {
         if (!axes(0).a.is_unit) return squares.fill(0);
         const DistanceSet& set = sets[0];

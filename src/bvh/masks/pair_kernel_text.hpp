@@ -69,7 +69,7 @@ struct PairKernel : ProjectedLanes<float_width> {
 
   private:
     // Clears in `near` the bits of pairs that a set of axes excludes. value_of(i, part) returns the values of row i
-    // before.
+    // before this set.
     template <std::size_t set, class ValueOf>
     ECODS_ALWAYS_INLINE static void narrow_rows(const Measure& measure, const Placed (&nodes)[2],
                                                 const std::uint32_t rows, Ints (&near)[part_count],
@@ -88,7 +88,7 @@ struct PairKernel : ProjectedLanes<float_width> {
     }
 
     // Sets over_y to the values of the lanes of y by the slab of x, and over_x to the values of the lanes of x by the
-    // slab of y. Clears bits of `near` and `rows` that these exclude. Returns false if no pair remains.
+    // slab of y. Clears the bits of `near` and `rows` that the slabs exclude. Returns false if no pair remains.
     template <class X, class Y>
     ECODS_ALWAYS_INLINE static bool look_at_slabs(const Measure& measure, const X& x, const Y& y,
                                                   Value (&over_x)[part_count], Value (&over_y)[part_count],

@@ -1,21 +1,23 @@
 // bvh/masks/triangle_bounds.cpp includes this source once for each instruction set.
 
 // Bounds the distance of one pair of triangles a and b in each lane. Any two points of the triangles give an upper
-// bound; close ones are guessed. The vector n from one to the other gives a lower bound: all points of b have n . y >=
-// min n . b, and all points of a have n . x <= max n . a, so the distance is at least (min n . b - max n . a) / |n|.
+// bound; two close points are guessed. The vector n from one point to the other gives a lower bound: all points of b
+// have n . y >= min n . b, and all points of a have n . x <= max n . a, so the distance is at least (min n . b - max n
+// . a) / |n|.
 //
 // Bound. Let E = `error`, which is an error bound of a corner, and at least 8 v |z| for all coordinates z, v = 2^-23.
 // Upper bound: a point of an edge is z + t e with 0 <= t <= 1. The difference e is off by 2 v |z|, product and sum by 5
-// v |z|: below E, and the combination of the corners as they are by E more. A point of a face is z + (t e - u e'), t
-// and u not negative, their sum at most 1 + v: differences 4 v |z|, products 4, their sum 4, the last sum 5, the excess
-// 2: below 2.4 E, and 1 E for the corners. So a difference of two points, n as computed, is off by less than 4.5 E on
-// each axis besides its own rounding v, and its length by 8 E; squares, sums and root are 4 v. 9 E has a margin for the
-// rest.
-// Lower bound: n, and the point p relative to which all is measured, are floats, taken as they are. A corner is off by
-// E, its difference from p by v and the product with n by 3.01 v relative to M, the largest coordinate of a difference:
-// the sum of |n_k| (E + 4.01 v M). Two such errors, and the rounding of M, make 2 E + 9 v M. The difference, its
-// square, n . n, the quotient and the factor are below 10 v, relative, and 2^-18 of `square` covers them together with
-// the errors of near_mask().
+// v |z|: together below E. The errors of the corners add E. A point of a face is z + (t e - u e'), where t and u are
+// not negative and t + u is at most 1 + v. In units of v |z| the differences cost 4, the products 4, their sum 4, the
+// last sum 5, and the excess of t + u 2: together below 2.4 E. The errors of the corners add E. So n, the difference of
+// two points as computed, is off by less than 4.5 E on each axis besides its own rounding v, and its length by 8 E;
+// squares, sums and root are 4 v. 9 E has a margin for the rest.
+//
+// Lower bound: n and p, the point from which the corners are measured, may be any floats, so they have no errors. A
+// corner is off by E, its difference from p by v M and the product with n by 3.01 v M, where M is the largest
+// coordinate of a difference: together sum |n_k| (E + 4.01 v M). Two such errors, and the rounding of M, make 2 E + 9 v
+// M. The difference, its square, n . n, the quotient and the factor are below 10 v, relative, and 2^-18 of `square`
+// covers them together with the errors of near_mask().
 // Claim: verify/proofs/small_bounds.py
 struct BoundsKernel : ProjectedLanes<float_width> {
     struct Vector {

@@ -112,13 +112,13 @@ struct TriangleLanes : ProjectedLanes<float_width> {
     // with columns divided by E, entries are at most 1 and errors at most t_k = 2 d_k / E_k. A determinant of three
     // columns of entries up to x, y and z is at most 4 x y z, so these errors change it by at most
     //     4 ((tx + ty + tz) + (tx ty + tx tz + ty tz) + tx ty tz).
-    // The bound below has 6.25 (tx + ty + tz). A sign is certain only if the computed determinant, at most 4, exceeds
-    // it: then the sum of t is below 0.65, and the first-order factor, with the other terms, below 5. 49 v also covers
-    // the bound's own evaluation. (Extents are not enlarged by d: spans of the first tree have no margin.) Overflow:
-    // none for extents below 2^40; larger triangles are not judged. (An infinity would be harmless, but a mode that
-    // rounds down turns only the determinants into one, and the bound into the largest float.) Underflow: products of
-    // three lose 2^-126 times extents, but those that matter here are near one: coordinates that decide are below 4 in
-    // size, or delta is above 2^-20 of them; 2^-100 is added.
+    // The bound below has 6.25 (tx + ty + tz). A sign is certain only if the computed determinant, which is at most 4,
+    // exceeds this bound. Then tx + ty + tz is below 0.65, so the terms of higher order raise the factor 4 of tx + ty +
+    // tz to less than 5. 49 v also covers the bound's own evaluation. (Extents are not enlarged by d: spans of the
+    // first tree have no margin.) Overflow: none for extents below 2^40; larger triangles are not judged. (A mode that
+    // rounds down may turn a determinant into -infinity, and the bound only into the largest float.) Underflow: a
+    // product of three numbers loses 2^-126 times an extent. The extents that matter are near one, since coordinates
+    // that decide are below 4 in size, or delta is above 2^-20 of them. 2^-100 is added.
     // Claim: verify/proofs/float_determinants.py
     template <class NormalOfP>
     ECODS_ALWAYS_INLINE static Found decide(const std::array<float, 4>& delta, const Vectors (&p)[3],

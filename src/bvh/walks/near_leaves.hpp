@@ -46,8 +46,8 @@ class NearLeaves {
     }
 
     // Returns the triangles with which a segment from a to b may share a point. The segment must be within the box:
-    // holds(a, b). Tree, pose and axes must be those of gather(). Adds the number of tested triangles to `tested`. The
-    // list is valid until the next call.
+    // holds(a, b). Tree, pose and axes must be the same as in gather(). Adds the number of tested triangles to
+    // `tested`. The list is valid until the next call.
     std::span<const std::uint32_t> find(const MeshBvh& tree, const LineAxes& axes, const Vec3& a, const Vec3& b,
                                         std::uint64_t& tested) noexcept;
 

@@ -18,8 +18,8 @@ namespace ecods {
 // Holds sets of triangles of a leaf, as masks of lanes.
 struct FoundInLeaf {
     std::uint32_t may_meet;  // triangles that may share a point with the line
-    std::uint32_t cross;     // of these, triangles whose planes are certainly not parallel to the line
-    std::uint32_t inside;    // of these, triangles that it certainly crosses inside the face, at r in [low, high]
+    std::uint32_t cross;     // triangles in may_meet whose planes are certainly not parallel to the line
+    std::uint32_t inside;    // triangles in `cross` whose faces the line certainly crosses, at r in [low, high]
     alignas(32) FloatLanes low, high;
 };
 
@@ -125,8 +125,8 @@ struct LineLanes : ProjectedLanes<width> {
                 (is_front & ((after > error) | (before < -error))) | (is_back & ((after < -error) | (before > error)));
             lanes[part] = ~(is_beside | is_outside | is_apart | is_beyond) & bits;
             crossed[part] = (is_front | is_back) & bits;
-            // If the line crosses the face inside, the parameter of the crossing is the weighted mean of the corners'
-            // parameters, and between these.
+            // If the line crosses the face, the parameter of the crossing is the weighted mean of the corners'
+            // parameters, and lies between them.
             const Floats far = max(absolute(z_low), absolute(z_high));
             const Floats all_size = absolute(all), at_plane = ((a * z[0] + b * z[1]) + c * z[2]) / all;
             const Floats doubt_of_it =

@@ -3,15 +3,15 @@
 // PointLanes bounds the distances of a point, the origin of the axes, from the boxes of a node or the triangles of a
 // leaf.
 //
-// Bound. Ends of boxes have the margins of separating_axes.hpp, and squared gaps those of distance_axes.hpp.
+// Bound. Ends of boxes have the margins of separating_axes.hpp, and squared gaps have the bounds of distance_axes.hpp.
 //
-// Triangles: let E = `error`, an error bound of a corner, v = 2^-23. Upper bound: a point of an edge is z + t e with
-// 0 <= t <= 1, a point of a face z + (t e - u e'), and triangle_bounds_text.hpp derives that each is off by less than
-// 4.5 E on each axis, and its length by 8 E. Lower bound: any vector n of floats, taken as it is, proves n . y >= min
-// n . c over the corners c, so the distance is at least that minimum over |n|. A corner is off by E, and the product
-// n . c as computed by 3.01 v sum |n_k| M, where M is the largest coordinate of a corner, which is exact as computed:
-// the sum of |n_k| (E + 3.01 v M). The sum of magnitudes and the margin have five roundings: 2 E + 9 v M is enough. The
-// quotients, the squares and the factor are below 10 v, relative, and 2^-18 of `square` covers them.
+// Triangles: let E = `error`, an error bound of a corner, v = 2^-23. Upper bound: a point of an edge is z + t e with 0
+// <= t <= 1, a point of a face z + (t e - u e'), and triangle_bounds_text.hpp derives that each is off by less than 4.5
+// E on each axis, and its length by 8 E. Lower bound: for any vector n of floats, all points y of a triangle have n . y
+// >= min n . c over the corners c, so the distance is at least this minimum divided by |n|. A corner is off by E, and
+// the product n . c as computed by 3.01 v sum |n_k| M, where M is the largest coordinate of a corner as computed:
+// together sum |n_k| (E + 3.01 v M). The sum of magnitudes and the margin have five roundings: 2 E + 9 v M is enough.
+// The quotients, the squares and the factor are below 10 v, relative, and 2^-18 of `square` covers them.
 // Claim: verify/proofs/point_triangles.py
 struct PointLanes : BoundsKernel {
     // Sets `squares` to lower bounds of the squared distances of the boxes, and returns the lanes up to the limit.
