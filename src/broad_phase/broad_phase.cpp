@@ -20,8 +20,8 @@ std::string text(const ProxyPair& pair) {
     return std::to_string(pair.a) + ", " + std::to_string(pair.b);
 }
 
-// Throws BrokenInvariant unless `pairs` is what all_pairs() finds, all three lists are ascending, each pair that began
-// is in `pairs`, and each pair that ended is not in `pairs` or has begun again.
+// Throws BrokenInvariant unless `pairs` equals the result of all_pairs(), all three lists are ascending, each pair that
+// began is in `pairs`, and each pair that ended is not in `pairs` or has begun again.
 void validate_pairs(const ProxyTable& table, const ProxyPairs& pairs, const ProxyPairs& began,
                     const ProxyPairs& ended) {
     for (const ProxyPairs* list : {&pairs, &began, &ended}) {

@@ -18,7 +18,7 @@ namespace ecods {
 class BoxForest {
   public:
     // Describes a box to be put into a tree: its slot, center and size. Center and size only decide where in the forest
-    // the box is put; lines[slot] decides what it overlaps.
+    // the box is put; lines[slot] decides which boxes it overlaps.
     struct Item {
         TreeItem item;
         int size_exponent;

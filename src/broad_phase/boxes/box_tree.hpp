@@ -53,8 +53,8 @@ using BoxLevels = std::vector<std::vector<BoxBlock>>;
 // bounds of a block of small boxes large: users keep a tree for each class of sizes.
 //
 // The tree shares its walk, walk_one(), with the tree of a mesh (bvh/tree/mesh_bvh.hpp). The builders of the two have
-// nothing in common: the builder of a mesh's tree weighs surfaces and gives nodes any number of children, and this one
-// runs many times a second.
+// nothing in common: the builder of a mesh's tree weighs surfaces and gives nodes any number of children, and the
+// builder here runs many times a second.
 class BoxTree {
   public:
     // Sorts the items and builds the tree; lines[item.slot] is the box of an item. Cost: n log n.
@@ -71,7 +71,7 @@ class BoxTree {
     void refit(std::span<const PackedBox> lines);
 
     // Puts a box at an empty position near its center, sets `position` and returns true, or returns false if it finds
-    // no empty position there. Cost: that of find() for a point.
+    // no empty position there. Costs as much as find() for a point.
     bool insert(const TreeItem& item, const PackedBox& line, std::uint32_t& position);
 
     // Sets the box at a position; an empty box also removes the slot. Cost: a block per level, up to the first level

@@ -39,7 +39,7 @@ ECODS_ALWAYS_INLINE void visit_blocks(const std::vector<BoxBlock>& blocks, std::
 }
 
 // Implements BoxTree::find_each. Searches level by level: the blocks of a level are prefetched while the level above is
-// processed, and no branch depends on what is found.
+// processed, and no branch depends on the results.
 ECODS_ALWAYS_INLINE std::uint64_t find_each_slot(const BoxLevels& levels, const std::vector<SlotIndex>& slots,
                                                  std::span<const BoxReach> reaches, BlockVisits& visits,
                                                  std::vector<FoundBox>& found) {

@@ -37,7 +37,7 @@ struct BoxLanes {
 };
 
 // Holds a box prepared for overlap tests: a packed box overlaps it exactly if each of the packed box's ends is at most
-// the number at the same place here. The layout is that of two registers.
+// the number at the same place here. The numbers are laid out as in two registers.
 struct alignas(64) BoxReach {
     std::array<std::int64_t, 8> ends;
 
@@ -182,7 +182,7 @@ struct alignas(64) BoxBlock {
     }
 };
 
-// Returns bits: bit i is set if box i of the block overlaps the box of `reach`.
+// Returns a mask: bit i is set if box i of the block overlaps the box of `reach`.
 ECODS_ALWAYS_INLINE std::uint32_t overlapping(const BoxBlock& block, const BoxReach& reach) noexcept {
     KeyLanes beyond[2] = {};
     for (std::size_t row = 0; row < 6; ++row) {

@@ -12,8 +12,8 @@
 
 namespace ecods {
 
-// Holds, each once, the pairs of slots whose fat boxes overlap and of which at least one is awake. Also stores whether
-// the boxes of a pair overlapped when they were last tested.
+// Holds, each once, the pairs of slots whose fat boxes overlap, if at least one slot of the pair is awake. Also stores
+// whether the boxes of a pair overlapped when they were last tested.
 class CandidateList {
   public:
     using SlotPair = std::array<SlotIndex, 2>;

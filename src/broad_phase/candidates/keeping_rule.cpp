@@ -7,8 +7,8 @@ namespace ecods {
 namespace {
 
 // Estimates the work for a tested candidate, and for a moved box. In updates of slow boxes that search for nothing, the
-// measured work per box is 13 with 0.3 candidates a box, and 31 with 4. In both cases, 5 of it are spent outside the
-// finder.
+// measured work per box is 13 with 0.3 candidates a box, and 31 with 4. In both cases, 5 of this work is spent outside
+// the finder.
 constexpr double filter_work = 3, move_work = 8;
 
 // Estimates the work for a pair that begins or ceases to overlap: a mispredicted branch, sorting, and the update of the
@@ -25,8 +25,8 @@ constexpr double lookup_work = 800, tree_test_work = 5.3;
 constexpr double foreseen_lookup_work = 3000;
 
 // Returns the factor on the work of look-ups in large scenes. Look-ups access memory in random order, searches from
-// scratch mostly in sequence. Relative to a search, a look-up costs what the numbers above say for 10,000 boxes, and
-// 1.75 times as much for 100,000.
+// scratch mostly in sequence. The numbers above hold for 10,000 boxes. Relative to a search, a look-up among 100,000
+// boxes costs 1.75 times as much.
 double lookup_factor(std::size_t boxes) noexcept {
     constexpr unsigned cached_bits = 14;  // 2^cached_bits boxes fit in a cache
     constexpr double for_twice_as_many = 0.25;
@@ -39,8 +39,8 @@ double lookup_factor(std::size_t boxes) noexcept {
 // them at first, and when boxes escape: each box that moves escapes once in a lifetime.
 double KeepingRule::kept_work(const Forecast& forecast, double lifetime) const noexcept {
     constexpr double updates_planned = 16;  // number of updates that share the cost of the first search
-    // Boxes grow along each axis by this share of the margin: a box grows by its margin ahead and by a part of it
-    // behind, both boxes of a pair grow, and few boxes move along an axis. The share was measured.
+    // Boxes grow along each axis by this share of the margin: a box grows by its margin ahead and by a part of the
+    // margin behind, both boxes of a pair grow, and few boxes move along an axis. The share was measured.
     constexpr double growth_by_margin = 0.5;
     const auto boxes = static_cast<double>(forecast.boxes);
     const double moved = static_cast<double>(forecast.moved);

@@ -119,7 +119,7 @@ KeptCandidates::Foresight KeptCandidates::foresee(const ProxyTable& table, const
     return {forecast, common, limit};
 }
 
-// Returns what lifetime_of_fast() returns, for a sample of the boxes that escaped. Call only if many escaped at once.
+// Returns lifetime_of_fast() of a sample of the boxes that escaped. Call only if many escaped at once.
 double KeptCandidates::lifetime_of_escaped(const ProxyTable& table) const {
     std::vector<Step> steps;
     for_some_of(escaped_.size(), [&](std::size_t place) {

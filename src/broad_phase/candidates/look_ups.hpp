@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// Looks up slots, and holds the partners that the last look-up found and its scratch.
+// Looks up slots. Holds scratch, and the partners that the last look-up found.
 class LookUps {
   public:
     static constexpr std::size_t part = 128;  // slots looked up at once; their scratch fits in the nearest cache
@@ -24,10 +24,11 @@ class LookUps {
     };
     // Says which of the found partners are known to be candidates with the query already.
     struct Known {
-        // Flag of all slots that are looked up. If two of these find each other, only the lower slot reports the pair.
+        // `looked_up` is the flag of all slots that are looked up. If two of these find each other, only the lower slot
+        // reports the pair.
         unsigned looked_up;
-        // Flags of other partners that may be known. A partner with all of these flags was a candidate with the query
-        // exactly if its fat box overlaps the old fat box of the query.
+        // `has` are flags of other partners that may be known. A partner with all of these flags was a candidate with
+        // the query exactly if its fat box overlaps the old fat box of the query.
         unsigned has;
     };
 

@@ -12,7 +12,7 @@ namespace ecods {
 // Adapts the lookahead so that the cost of wasted tests equals the cost of searches. Wide fat boxes make candidates
 // that are tested in vain, in proportion to the lookahead w. Boxes escape sooner from narrow fat boxes, in inverse
 // proportion to w. The sum of the costs A = a w and B = b / w is least where A = B, which is at the lookahead w sqrt(B
-// / A). Costs are summed from one search for everything to the next, since such a search is most of the work. They are
+// / A). Costs are summed from one search for everything to the next, since such a search is most of the work. Costs are
 // counted in tests.
 class Lookahead {
   public:
@@ -32,7 +32,7 @@ class Lookahead {
     void note_everything(std::uint64_t tests) noexcept { searched_ += static_cast<double>(tests); }
     void note_update() noexcept { ++updates_since_adapted_; }
 
-    // True if enough work for each box was noted to learn from it.
+    // True if the noted work per box is enough to learn from.
     bool is_due(std::size_t boxes) const noexcept { return wasted_ + searched_ > 512 * static_cast<double>(boxes); }
 
     void adapt() noexcept {

@@ -17,8 +17,8 @@ class RebuildRule {
     static bool are_many(std::size_t escaped, std::size_t boxes) noexcept { return 8 * escaped > boxes; }
 
     // True if look-ups of single boxes have cost half as much as a search for everything. Such a search avoids about as
-    // many look-ups of awake boxes. If the last searches renewed few fat boxes, requires more look-ups before the next
-    // search.
+    // many later look-ups of awake boxes. If the last searches renewed few fat boxes, requires more look-ups before the
+    // next search.
     bool is_due(std::size_t awake, std::size_t boxes) const noexcept {
         return 2 * awake > boxes && 16 * looked_up_ > boxes << patience_;
     }

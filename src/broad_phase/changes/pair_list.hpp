@@ -17,7 +17,7 @@ class PairList final : public PairKeeper {
     explicit PairList(const PairEvents& events) : events_(events) {}
 
     // Logs the events of the last update unless the list has them; call it before the next update clears them. If
-    // memory runs out in this function or in those below, the list is unchanged.
+    // memory runs out in this function or in one below, the list is unchanged.
     void begin_update();
 
     // End an update: end_update() if it succeeded, drop_update() if it failed. A failed update must leave no events.
