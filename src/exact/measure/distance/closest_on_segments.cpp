@@ -169,8 +169,8 @@ class SegmentPair {
     }
 
     // Sets the points of both parameters. Newton's method refines the parameters that are inside: the function is
-    // quadratic, so one step is exact except for rounding. A step that is small enough sets the fine parts and is the
-    // last; a larger step moves the coarse parts, and another step follows.
+    // quadratic, so one step is exact except for rounding. A step below fine_begin sets the fine parts and is the last;
+    // a larger step moves the coarse parts, and another step follows.
     void set_points() noexcept {
         constexpr int steps_max = 3;
         measure();

@@ -40,7 +40,7 @@ class FixedPlane {
     std::optional<Vec3> direction() const noexcept;
 
     // Compares the distances from the origin: returns 1, 0 or -1 if this plane's is greater, equal or less than the
-    // other's; nullopt if this is not certain. The origin must not be on the outer side of either plane.
+    // other's; nullopt if this is not certain. The origin must be on the inner side of both planes, and in neither.
     std::optional<int> compare(const FixedPlane& other) const noexcept;
 
   private:
