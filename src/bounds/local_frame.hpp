@@ -34,9 +34,9 @@ struct LocalFrame {
 inline constexpr double frame_tau_max = 0x1p-48;  // |F^T F - I|, entry by entry
 inline constexpr double coordinate_error = 0x1p-43;
 
-// Fits a frame to the mesh. Its axes are the principal axes of the triangles if the box along these has at most nine
-// tenths of the surface of the box along the coordinate axes; otherwise they are the coordinate axes. Cost: one pass
-// over the mesh.
+// Fits a frame to the mesh. Its axes are the principal axes of the triangles if the box along the principal axes has at
+// most nine tenths of the surface of the box along the coordinate axes; otherwise they are the coordinate axes. Cost:
+// one pass over the mesh.
 LocalFrame fit_frame(const Mesh& mesh);
 
 // Returns a frame with the axes of `frame`, fitted to the mesh after its vertices changed. Cost: one pass over the

@@ -13,8 +13,8 @@ namespace {
 using Candidate = CandidateList::SlotPair;
 constexpr SlotIndex overlap_bit = CandidateList::overlap_bit;
 
-// Prefetches run this number of candidates ahead. The last candidates are a Stretch of their own, in which this number
-// is 0.
+// Prefetches run this number of candidates ahead. The last candidates form a Stretch of their own, in which prefetches
+// run 0 ahead.
 constexpr std::size_t candidates_ahead = 24;
 struct Stretch {
     std::size_t end;

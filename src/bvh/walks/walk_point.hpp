@@ -19,9 +19,9 @@ struct NearTriangle {
 // Holds the result of walks from a point, and scratch memory that later walks reuse.
 struct PointWalk {
     std::vector<NearTriangle> found;
-    // Upper bound of the squared distances of the triangles that may be nearest.
+    // `limit` is an upper bound of the squared distances of the triangles that may be nearest.
     float limit = std::numeric_limits<float>::infinity();
-    std::uint64_t node_count = 0, triangle_count = 0;  // of all walks
+    std::uint64_t node_count = 0, triangle_count = 0;  // summed over all walks
 
     std::vector<OrderedNode> stack;
 };
