@@ -21,8 +21,9 @@ ECODS_ALWAYS_INLINE void store_anywhere(LaneType<V>* first, V v) noexcept {
     *reinterpret_cast<typename VecTypes<LaneType<V>, lane_count<V>>::Anywhere*>(first) = v;
 }
 
-// Returns x in each lane. Subtracting zero changes no number, not even -0, so the compiler drops the subtraction; an
-// addition of zero would change -0, and cost an instruction.
+// Returns x in each lane. The compiler drops the subtraction, since subtracting zero changes no number, not even -0.
+// (Without optimization, in a mode that rounds down, 0 becomes -0.) An addition of zero would change -0, and cost an
+// instruction.
 template <IsVec V>
 ECODS_ALWAYS_INLINE V broadcast(LaneType<V> x) noexcept {
     return x - V{};
