@@ -13,8 +13,8 @@ namespace ecods::exact {
 struct FlatContact {
     bool meets = false;
     bool crosses = false;  // the open segment and the open triangle share exactly one point
-    // `from` and `to` are the corners of the first triangle at the ends of the segment. They are equal if it is a
-    // point.
+    // `from` and `to` are the corners of the first triangle at the ends of the segment. They are equal if the segment
+    // is a point.
     int from = 0;
     int to = 0;
     // Both arrays are false if crosses is true. holds_vertex[k] is true if corner k of the second triangle is on the

@@ -15,9 +15,9 @@ enum class FlatAnswer : std::uint8_t { disjoint, touching, unknown };
 
 // `bound` must be an error bound of every orient2d of these points along the axis. As in coplanar_pair()
 // (triangle_pair.hpp), the triangles are disjoint if and only if all of one is strictly on the outer side of an edge of
-// the other. An edge certainly separates them if all three values are beyond the bound. No edge separates them if each
-// has a corner of the other triangle certainly on its inner side. For both, the turns of the triangles must be certain.
-// An infinite bound gives `unknown`.
+// the other. An edge certainly separates the triangles if all three values are beyond the bound. No edge separates them
+// if each edge has a corner of the other triangle certainly on its inner side. Both answers need certain turns of the
+// triangles. An infinite bound gives `unknown`.
 inline FlatAnswer filter_flat(const Points<6>& w, int axis, double bound) noexcept {
     bool may_separate = false;
     for (const std::size_t own : {std::size_t{0}, std::size_t{3}}) {

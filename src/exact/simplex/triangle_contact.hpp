@@ -70,9 +70,8 @@ TriangleContact triangle_contact(Signs& signs) {
     return {ContactKind::segment, side_in_plane(first), side_in_plane(second)};
 }
 
-// True if two triangles in one plane share an inner point: there is no side of either such that the other triangle is
-// entirely on its outer side or its line. The plane's normal must not be zero on `axis`: the two are projected along
-// it.
+// True if two triangles in one plane share an inner point: no side of either has the other triangle entirely beyond or
+// on its line. The plane's normal must not be zero on `axis`: the two are projected along it.
 template <class Signs>
 bool coplanar_faces_overlap(Signs& signs, int axis) {
     for (const int own : {0, 3}) {

@@ -37,7 +37,7 @@ namespace ecods::exact {
 namespace {
 
 // A parameter is the sum of two integers, in units of 2^-coarse_digits and 2^-fine_digits. The second is a correction
-// of less than 2^-fine_begin.
+// of less than fine_begin.
 constexpr int coarse_digits = 60, fine_digits = 105;
 constexpr double fine_begin = 0x1p-43;
 constexpr std::int64_t coarse_one = std::int64_t{1} << coarse_digits;

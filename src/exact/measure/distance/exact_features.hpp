@@ -66,9 +66,9 @@ class ExactFeatures {
     template <class Use>
     auto with_direction(const FeaturePair& f, Use&& use) const;
 
-    // Decides if the features have exactly one common point. Returns `inside` if it is inside both features, `border`
-    // if it is on the border of a feature, and `none` if there is no such point. The features must not be parallel,
-    // unless one is a vertex.
+    // Decides if the features have exactly one common point. Returns `inside` if this point is inside both features,
+    // `border` if it is on the border of a feature, and `none` if there is no such point. The features must not be
+    // parallel, unless one is a vertex.
     Standing meeting(const FeaturePair& f) const noexcept;
 
     // Sets all members of `result` except `exponent` to the squared distance of the features, which must contain

@@ -78,8 +78,8 @@ inline Int256 square_of(const IntegerVector& v) noexcept {
     return (multiply(v[0], v[0]) + multiply(v[1], v[1])) + multiply(v[2], v[2]);
 }
 
-// Returns 2^252 / sqrt(s) with a relative error of at most 2^-94. s must be in [2^250, 2^254); the squared length of a
-// vector whose largest coordinate has 126 digits is.
+// Returns 2^252 / sqrt(s) with a relative error of at most 2^-94. s must be in [2^250, 2^254), like the squared length
+// of a vector whose largest coordinate has 126 digits.
 Uint128 inverse_root(const Int256& s) noexcept;
 
 }  // namespace ecods::exact

@@ -1,5 +1,5 @@
-// A rounded body is a core and all points within a radius of it. The point of it that is closest to another body is
-// radius times a unit vector away from the core's closest point; each coordinate is rounded once.
+// A rounded body is a core and all points within a radius of it. The point of a rounded body that is closest to another
+// body is the core's closest point plus radius times a unit vector; each coordinate is rounded once.
 #pragma once
 
 #include <array>
