@@ -30,8 +30,8 @@ namespace ecods {
 
 struct DistanceSet {
     AxisSet axes;
-    // Factors of the squared length of a vector on the axes. The product with `square` is a lower bound of the squared
-    // length of the vector in units; the product with `square_up` is an upper bound.
+    // `square` and `square_up` are factors of the squared length of a vector on the axes. The product with `square` is
+    // a lower bound of the squared length of the vector in units; the product with `square_up` is an upper bound.
     float square;
     float square_up;
 };

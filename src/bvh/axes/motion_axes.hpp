@@ -6,8 +6,8 @@
 // at least its chord. So boxes whose gap is positive at both times are apart at all times between. If the gap is
 // positive at only one of the times, the boxes are apart from that time to the chord's zero. Several axes, each in both
 // directions, may leave no time at which the boxes can meet. Half-way between its poses a body is the mean of both, on
-// the same axes. So chords are loose only by the angle by which boxes turn, times their own size, and that is least for
-// small boxes.
+// the same axes. So a chord is loose only by the angle by which a box turns times the size of the box, which is little
+// for small boxes.
 //
 // The sets of axes and their bounds are as in separating_axes.hpp. Each set exists twice, with the same axes: for the
 // poses at the start and at the end. Coordinates are relative to the first body's translation, which moves linearly,

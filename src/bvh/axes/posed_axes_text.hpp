@@ -229,9 +229,9 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Matrix4& P
 // Sets `set` to both trees' maps and margins, rounded to floats. The factor 1 + 2^-22 covers the rounding of the
 // margins.
 //
-// is_bijective is set if the map to coordinates N x is certainly a bijection. It is if N times the edges of the own
-// tree's boxes is a regular matrix. As computed, the row sums of this product minus I are e, with an error of less than
-// 7 u' w. A matrix is regular if its rows differ from the identity's by less than one.
+// is_bijective is set if the map to coordinates N x is certainly a bijection. The map is a bijection if N times the
+// edges of the own tree's boxes is a regular matrix. As computed, the row sums of this product minus I are e, with an
+// error of less than 7 u' w. A matrix is regular if its rows differ from the identity's by less than one.
 // Claim: verify/proofs/posed_axes.py
 // Claim: verify/proofs/float_axes.py
 ECODS_ALWAYS_INLINE void set_floats(AxisSet& set, const DoubleAxes& exact) noexcept {

@@ -28,7 +28,7 @@ struct PointWalk {
 
 // Sets walk.found to all triangles that may be nearest to the point, those that share a point with it included, and
 // walk.limit to an upper bound of the least squared distance. `axes` must be bound to the tree and the point, and
-// useful.
+// axes.are_useful() must be true.
 void walk_point(const MeshBvh& tree, const PointAxes& axes, PointWalk& walk);
 
 }  // namespace ecods
