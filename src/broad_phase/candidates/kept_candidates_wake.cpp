@@ -64,8 +64,8 @@ void KeptCandidates::widen_woken(const ProxyTable& table) {
 }
 
 // Adds the new candidates of the slots looked_up_[begin] to looked_up_[end - 1], which wake up, with all boxes as they
-// are before they move. A pair with a box that was awake already is in the list, unless the fat box has grown towards
-// that box.
+// are before they move. A pair with a box that was awake already is in the list, unless the fat box of the woken box
+// has grown towards that box.
 void KeptCandidates::link_woken(std::size_t begin, std::size_t end, BroadPhaseCounts& counts) {
     const std::span woken = std::span<const SlotIndex>(looked_up_).subspan(begin, end - begin);
     const std::span old_fats = std::span<const PackedBox>(old_fats_).subspan(begin, end - begin);

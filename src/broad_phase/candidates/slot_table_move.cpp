@@ -5,7 +5,7 @@
 
 namespace ecods {
 
-// Gives the loops below the arrays of a table.
+// Passes the arrays of a table to the loops below.
 struct SlotView {
     PackedBox* lines;
     CoarseBox* coarse_boxes;  // null unless they are kept

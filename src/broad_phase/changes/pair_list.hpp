@@ -12,8 +12,9 @@ namespace ecods {
 // The list is updated lazily: an update only leaves its events, and sorted() applies them when the list is read.
 class PairList final : public PairKeeper {
   public:
-    // Refers to `events`, where the caller puts the events of each update; `events` must outlive the list. It may
-    // change only between begin_update() and the end of that update. At that end it must be ascending, each event once.
+    // Refers to `events`, where the caller puts the events of each update; `events` must outlive the list. The events
+    // may change only between begin_update() and the end of that update. At this end both lists must be ascending, each
+    // event once.
     explicit PairList(const PairEvents& events) : events_(events) {}
 
     // Logs the events of the last update unless the list has them; call it before the next update clears them. If

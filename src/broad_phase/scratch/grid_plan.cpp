@@ -47,8 +47,8 @@ AxisSample look_at_axis(std::span<const PackedBox> sample, std::size_t axis) {
     return result;
 }
 
-// Returns the estimated share of all boxes that overlap one box on this axis: a sweep along it tests the box against
-// them.
+// Returns the estimated share of all boxes that overlap one box on this axis: a sweep along this axis tests the box
+// against these boxes.
 double passed(const AxisSample& axis) noexcept {
     return axis.range() > 0 ? std::min(1.0, axis.extent / axis.range()) : 1;
 }

@@ -17,8 +17,8 @@ namespace ecods {
 // at once. A pair is reported only in the first cell, on both axes, that both boxes reach. The sweep compares ranks
 // (grid_plan.hpp), which have half as many bits as coordinates; if two ranks are equal, the boxes are compared. If the
 // sweep takes many tests for few pairs, a search in trees replaces it, which no arrangement of boxes makes slow. (The
-// sweep is from D. Baraff's thesis, 1992. That a sweep from scratch, over integers that are contiguous in memory, may
-// cost less than keeping its lists is from P. Terdiman, "Box pruning revisited".)
+// sweep is from D. Baraff's thesis, 1992. P. Terdiman, "Box pruning revisited", found that a sweep from scratch over
+// contiguous integers may cost less than keeping its lists.)
 //
 // The object keeps its scratch memory for the next search.
 class GridSweep {
