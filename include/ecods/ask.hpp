@@ -21,13 +21,13 @@ namespace ecods {
 // Counts the pairs of triangles that were decided, by the stage that decided them. Equal input gives equal counts.
 struct StageCounts {
     std::uint64_t triangle_tests = 0;      // pairs of triangles
-    std::uint64_t filter_passes = 0;       // of these, decided in doubles by one error bound for both bodies
-    std::uint64_t semi_static_passes = 0;  // ... by an error bound of the triangle pair
-    std::uint64_t local_passes = 0;        // ... because both bodies have the same pose or short coordinates
-    std::uint64_t plane_passes = 0;        // ... by known signs of whole planes
-    std::uint64_t one_limb = 0;            // ... by integers of one limb (60 bits)
-    std::uint64_t two_limbs = 0;           // ... of two limbs (125 bits)
-    std::uint64_t many_limbs = 0;          // ... of more
+    std::uint64_t filter_passes = 0;       // decided in doubles, by one error bound for both bodies
+    std::uint64_t semi_static_passes = 0;  // decided in doubles, by an error bound of the pair of triangles
+    std::uint64_t local_passes = 0;  // decided in doubles, because both bodies have the same pose or short coordinates
+    std::uint64_t plane_passes = 0;  // decided by known signs of one body's vertices against the other's planes
+    std::uint64_t one_limb = 0;      // decided by integers of one limb (60 bits)
+    std::uint64_t two_limbs = 0;     // decided by integers of two limbs (125 bits)
+    std::uint64_t many_limbs = 0;    // decided by integers of more limbs
 
     ECODS_API StageCounts& operator+=(const StageCounts& other) noexcept;
     friend bool operator==(const StageCounts&, const StageCounts&) = default;
@@ -52,8 +52,8 @@ inline constexpr std::array<Stage, 7> stages{{
 
 // Counts the pairs of triangles that the questions of distance.hpp bounded, from the cheapest stage to the dearest.
 struct DistanceCounts {
-    std::uint64_t triangle_bounds = 0;  // in floats
-    std::uint64_t enclosures = 0;       // in doubles with proven bounds
+    std::uint64_t triangle_bounds = 0;  // bounded in floats
+    std::uint64_t enclosures = 0;       // bounded in doubles, with proven bounds
     std::uint64_t exact = 0;            // rounded or compared exactly
 
     ECODS_API DistanceCounts& operator+=(const DistanceCounts& other) noexcept;
@@ -62,8 +62,8 @@ struct DistanceCounts {
 
 // Counts the triangles that the questions of hit.hpp tested, from the cheapest stage to the dearest.
 struct HitCounts {
-    std::uint64_t triangle_tests = 0;  // in floats, eight at once
-    std::uint64_t enclosures = 0;      // in doubles with proven bounds
+    std::uint64_t triangle_tests = 0;  // tested in floats, eight at once
+    std::uint64_t enclosures = 0;      // bounded in doubles, with proven bounds
     std::uint64_t exact = 0;           // decided, compared or rounded in integers
 
     ECODS_API HitCounts& operator+=(const HitCounts& other) noexcept;
@@ -72,8 +72,8 @@ struct HitCounts {
 
 // Counts the pairs of triangles whose first contact the questions of cast.hpp computed, from the cheapest stage on.
 struct CastCounts {
-    std::uint64_t enclosures = 0;  // in doubles with proven bounds
-    std::uint64_t exact = 0;       // in integers
+    std::uint64_t enclosures = 0;  // bounded in doubles, with proven bounds
+    std::uint64_t exact = 0;       // computed in integers
 
     ECODS_API CastCounts& operator+=(const CastCounts& other) noexcept;
     friend bool operator==(const CastCounts&, const CastCounts&) = default;
@@ -81,21 +81,22 @@ struct CastCounts {
 
 // Counts the work of questions. Equal input gives equal counts.
 struct QueryCounts {
-    std::uint64_t queries = 0;       // two-body questions about meshes, and lines against one mesh
-    std::uint64_t witness_hits = 0;  // of these, decided by the witness
+    std::uint64_t queries = 0;       // two-body questions about meshes, and questions about a line and a mesh
+    std::uint64_t witness_hits = 0;  // queries that the witness decided
     std::uint64_t box_tests = 0;     // tests of two tree nodes, each of up to eight boxes, or of a node and a line
-    StageCounts stages;              // pairs of triangles that the trees did not exclude
-    DistanceCounts distances;        // of these, the work for distances
-    HitCounts hits;                  // the work for lines
-    CastCounts casts;                // the work for times
+    StageCounts stages;              // pairs of triangles that the trees did not exclude, by stage
+    DistanceCounts distances;        // pairs of triangles that distance questions bounded
+    HitCounts hits;                  // triangles that lines were tested against
+    CastCounts casts;                // pairs of triangles whose first contact was computed
 
     ECODS_API QueryCounts& operator+=(const QueryCounts& other) noexcept;
     friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
 };
 
-// Scratch memory of questions: stacks, rounded vertices, exact vertices. It grows to the size that the largest question
-// needed, and is then reused without allocation. It holds no answer: a question gives the same answer with a new
-// memory. Only one question at a time may use it, and no question that is asked within that one.
+// A QueryMemory is scratch memory of questions: stacks, rounded vertices, exact vertices. It grows to the size that the
+// largest question needed, and is then reused without allocation. It holds no answer: a question gives the same answer
+// with a new memory. Only one question at a time may use it, and no question that is asked within that one; except that
+// a two-body test passes on the memory that a World gives it (two_body_test.hpp).
 class ECODS_API QueryMemory {
   public:
     QueryMemory();
@@ -124,8 +125,8 @@ struct PairWitness {
     std::uint32_t b = none;
 };
 
-// The last argument of every question. It is made of a memory, a witness and counts: any of them, in any order. They
-// must outlive it.
+// An Ask is the last argument of every question. It is made of a memory, a witness and counts: any of them, in any
+// order. The memory, the witness and the counts must outlive it.
 class Ask {
   public:
     Ask() = default;

@@ -1,20 +1,20 @@
 // Certificates are answers with a proof that can be checked without this library.
 //
-// A certificate is a text that says what is claimed of which posed meshes, and why it is true: how the trees of both
-// meshes are traversed, and for every pair of their parts a direction along which it is apart. A small program that
-// knows nothing of this library checks it with exact arithmetic. verify/certificates/README.md has the format and the
-// proof that an accepted certificate is true; two such programs are beside it. They read the meshes from files that
+// A certificate is a text that states a claim about posed meshes, and why it is true: how the trees of both meshes are
+// traversed, and for every pair of their parts a direction along which the two are apart. A small program that knows
+// nothing of this library checks it with exact arithmetic. verify/certificates/README.md has the format and the proof
+// that an accepted certificate is true; two such programs are beside it. They read the meshes from files that
 // write_certified_mesh() writes, once for each shape, and the poses from the certificate.
 //
-// A certificate names a mesh by a digest (SHA-256), and nobody can make a second mesh with the same digest. It proves
+// A certificate names a mesh by a digest (SHA-256); nobody can make a second mesh with the same digest. It proves
 // something about your mesh if it names your mesh's digest: that of certified_mesh_digest(), or of your mesh file.
 //
 // The claim is the answer of the plain question (intersection.hpp, distance.hpp, hit.hpp) about surfaces, for all
-// finite poses and zero-area triangles. So it depends on the bits of meshes and poses alone. For a solid the functions
-// throw NotSupported, since a proof is about triangles; ask about surface_of(solid). The proof may differ between
-// floating-point environments, and is valid in each. A pose must be finite (validate(Pose)).
+// finite poses and zero-area triangles. So the claim depends on the bits of meshes and poses alone. For a solid the
+// functions throw NotSupported, since a proof is about triangles; ask about surface_of(solid). The proof may differ
+// between floating-point environments, and is valid in each. A pose must be finite (validate(Pose)).
 //
-// Cost: that of the plain question, and a second walk that costs about as much. Text is made when it is requested.
+// Cost: that of the plain question, and a second walk that costs about as much. The text is made when it is requested.
 //
 // Thread safety: as in intersection.hpp.
 //
@@ -36,8 +36,8 @@
 
 namespace ecods {
 
-// A claim and its proof, as a value that is cheap to copy. It keeps its shapes alive if the Posed does; if not, they
-// must outlive it.
+// A Certificate is a claim and its proof, as a value that is cheap to copy. If it was made from a Posed that keeps its
+// shape alive, it keeps the shape alive, too; otherwise the shapes must outlive it.
 class ECODS_API Certificate {
   public:
     enum class Claim : std::uint8_t {
@@ -54,12 +54,12 @@ class ECODS_API Certificate {
     Claim claim() const noexcept;
     // Returns the number in the claims distance, within, beyond and hit; 0 for other claims.
     double value() const noexcept;
-    // Return the number of steps of the proof, and of the directions that they name; 0 if a claim is its own proof: a
-    // crossing, a distance of 0, what is within a distance, and a hit at parameter 0.
+    // Return the number of steps of the proof, and the number of directions that the steps name. Both are 0 if the
+    // claim needs no steps: a crossing, a distance of 0, `within`, and a hit at parameter 0.
     std::size_t step_count() const noexcept;
     std::size_t axis_count() const noexcept;
 
-    // Return and write the text, of format 2. The digests of the meshes are in it; a digest is computed when the first
+    // Return or write the text, of format 2. It contains the digests of the meshes; a digest is computed when the first
     // certificate about a shape is written, in about a microsecond a triangle.
     std::string to_string() const;
     void write(std::ostream& out) const;
@@ -86,16 +86,16 @@ ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<Mesh
 // Proves the answer of first_hit(segment, body): claims hit or miss. Throws InvalidArgument.
 ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask = {});
 
-// Proves a world's lists (World::certify): which bodies there are, which pairs filters and switches leave, that the
-// listed pairs of the last update collide or are close, and that no other of these pairs does or is. It is a value that
-// is cheap to copy, and keeps its shapes alive. World::certify throws NotUpdated if a call since the last update
-// changed the world or the clearance; NotSupported if a body is a solid or of a kind of the caller's own. If a
-// caller's test replaces that of meshes, the proof is of what the meshes do. Pairs that filters or set_pair_enabled()
-// exclude are not judged; the checkers report how many they are. Cost: certify(), and with a clearance
-// certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
+// A WorldCertificate proves a world's lists (World::certify). It states which bodies there are, and which pairs filters
+// and switches leave; and it proves that the listed pairs of the last update collide or are close, and that none of the
+// other pairs does. It is a value that is cheap to copy, and keeps its shapes alive. World::certify throws NotUpdated
+// if a call since the last update changed the world or the clearance; NotSupported if a body is a solid or of a kind of
+// the caller's own. If a caller's test replaces the test of meshes, the proof is still about the meshes. Pairs that
+// filters or set_pair_enabled() exclude are not judged; the checkers report how many they are. Cost: certify(), and
+// with a clearance certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
 class ECODS_API WorldCertificate {
   public:
-    // Return the number of pairs that collide, that are close (colliding ones included), and that are proven neither.
+    // Return the number of pairs that are proven to collide, to be close (colliding ones included), and to be neither.
     std::size_t colliding_count() const noexcept;
     std::size_t close_count() const noexcept;
     std::size_t apart_count() const noexcept;
@@ -114,13 +114,13 @@ class ECODS_API WorldCertificate {
     std::shared_ptr<const Content> content_;
 };
 
-// Writes the canonical text of a mesh (verify/certificates/README.md), about which certificates speak: vertices,
-// triangles and the tree, with exact numbers. The text has the same bytes on every machine. A shape made by refit() may
-// have another tree than a new shape of the same mesh, and then another text.
+// Writes the canonical text of a mesh, which certificates refer to (verify/certificates/README.md): vertices, triangles
+// and the tree, with exact numbers. The text has the same bytes on every machine. A shape made by refit() may have
+// another tree than a new shape of the same mesh, and then another text.
 ECODS_API void write_certified_mesh(std::ostream& out, const MeshShape& shape);
 
-// Returns the name of this text in certificates: its SHA-256 as 64 lower-case hexadecimal digits, as sha256sum prints
-// it of the file. Cost: about a microsecond a triangle the first time, then that of a copy.
+// Returns the name that certificates use for this text: its SHA-256 as 64 lower-case hexadecimal digits, as sha256sum
+// prints it for the file. Cost: about a microsecond a triangle the first time, then that of a copy.
 ECODS_API std::string certified_mesh_digest(const MeshShape& shape);
 
 }  // namespace ecods

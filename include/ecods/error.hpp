@@ -1,4 +1,4 @@
-// Errors are types: one class for each thing that a caller can do about an error.
+// Errors are types: there is one class for each thing that a caller can do about an error.
 //
 //   fix the mesh         InvalidMesh, NotSolid
 //   fix the argument     InvalidArgument, SingularPose, InvalidTrace
@@ -6,8 +6,8 @@
 //   look elsewhere       ExecutorFailed (the executor), TraceFailed (the stream), BrokenInvariant (this library)
 //
 // The call that is given the bad input throws the error, before it changes the world or any other object. what() names
-// the body, mesh element and value in full precision; the members give the same to programs. Members that are not
-// listed beside the reason keep their defaults.
+// the body, mesh element and value in full precision; the members hold the same for programs. The comment at each
+// reason lists the members that it sets; all other members keep their defaults.
 //
 // If an allocation fails, std::bad_alloc is thrown. An exception of a caller's own shape or test passes through.
 //
@@ -36,7 +36,7 @@ class ECODS_API Error : public std::runtime_error {
 class ECODS_API InvalidMesh final : public Error {
   public:
     enum class Reason : std::uint8_t {
-        empty,      // there is no triangle: the mesh would be apart from everything, which nobody means
+        empty,      // there is no triangle: such a mesh would be apart from everything, which nobody intends
         vertex,     // a coordinate is NaN or infinite: vertex, axis, value
         index,      // a triangle names a vertex that does not exist: triangle, corner, index, vertex_count
         layout,     // the numbers do not make whole vertices or triangles: number_count, stride
@@ -64,16 +64,19 @@ class ECODS_API NotSolid final : public Error {
     using Coordinates = std::array<double, 3>;
 
     enum class Reason : std::uint8_t {
-        // An end of an edge is an end of an odd number of edges along its line: triangle, corner, vertices, points.
+        // An edge is not closed by other edges along its line: one of its ends is an end of an odd number of edges
+        // there. Sets triangle, corner, vertices, points.
         open_edge,
-        // Two triangles share a segment or more that is not a side of both: triangles.
+        // Two triangles share a segment or more that is not a side of both. Sets triangles.
         self_intersection,
-        // A vertex is beyond the plane of a triangle, so the solid is not convex: triangle, corner, vertices, beyond,
-        // depth. The named edge is, if possible, one whose other triangle has that vertex. A box that was turned and
-        // rounded has dents as deep as a few units of rounding; ConvexSolid(points) takes the hull of its vertices.
+        // A vertex is beyond the plane of a triangle, so the solid is not convex. Sets triangle, corner, vertices,
+        // beyond, depth. The named edge is, if possible, one whose other triangle has that vertex. A box that was
+        // turned and rounded has dents as deep as a few units of rounding; ConvexSolid(points) takes the hull of its
+        // vertices.
         dent,
-        // No triangle has an area, or, for prism(), all points lie on one line, or there are no points: point_count.
-        // ConvexSolid takes points in one plane, and meshes that cover a polygon, a segment or a point.
+        // No triangle has an area; or, for prism(), all points lie on one line; or there are no points. Sets
+        // point_count. ConvexSolid does accept points in one plane, and meshes that cover a polygon, a segment or a
+        // point.
         no_interior,
     };
 
@@ -85,12 +88,12 @@ class ECODS_API NotSolid final : public Error {
     std::array<std::size_t, 2> vertices = {};  // the indices of the edge's ends
     std::array<Coordinates, 2> points = {};    // the coordinates of the edge's ends
     TrianglePair triangles = {};               // the lesser index first
-    std::size_t beyond = 0;                    // the index of the vertex
+    std::size_t beyond = 0;                    // the index of the vertex beyond the triangle's plane
     double depth = 0;                          // its distance from the triangle's plane, rounded once
     std::size_t point_count = 0;
 };
 
-// ListIndex is the position of the bad entry in a list that was passed; empty if no list was passed.
+// A ListIndex is the position of the bad entry in a list that was passed; it is empty if no list was passed.
 using ListIndex = std::optional<std::size_t>;
 
 // Argument says which argument is bad. The texts in quotes are values of InvalidArgument::part.
@@ -121,7 +124,7 @@ class ECODS_API InvalidArgument final : public Error {
   public:
     InvalidArgument(const std::string& text, Argument what_is_bad, std::string bad_part = {}, double bad_value = 0);
 
-    // Returns the error with the body that the argument is for, and its index in a list. The text begins with both.
+    // Returns the error with the body that has the bad argument, and its index in a list. The text begins with both.
     InvalidArgument at(BodyId bad_body, ListIndex bad_index = {}) const;
 
     Argument argument;
@@ -129,17 +132,17 @@ class ECODS_API InvalidArgument final : public Error {
     double value;
     BodyId body = {};  // null if the argument is not for a body that exists
     ListIndex index = {};
-    ShapeKind kind = {};  // for a box: kind of the caller's shape that returned it; mesh() if it was an argument
+    ShapeKind kind = {};  // if the argument is a box: the kind of the caller's shape that returned it; otherwise mesh()
 };
 
-// Thrown if the matrix of a pose is singular, but the question needs inner points of the posed solid; and wherever a
-// half space is posed, also by the calls of a World that give it a pose.
+// Thrown if the matrix of a pose is singular, but the question needs inner points of the posed solid. Also thrown
+// wherever a half space gets a singular pose, as an argument of a question or by a call of a World.
 class ECODS_API SingularPose final : public Error {
   public:
     explicit SingularPose(int argument, BodyId body = {});
 
-    int argument;  // 0: the pose of the first shape of the question; 1: of the second
-    BodyId body;   // the body, if a World was asked, or was to give the pose to a body
+    int argument;  // 0: the pose of the first shape of the question is singular; 1: that of the second
+    BodyId body;   // the body, if a World was asked, or was to pose a body
 };
 
 // Thrown if an id names no body of this world: it is null, its body was destroyed, or it is of another world.
@@ -165,16 +168,16 @@ class ECODS_API MovedFromWorld final : public Error {
     MovedFromWorld();
 };
 
-// Thrown if a two-body test or a shape does not answer a question, or if a shape cannot be used in this way.
+// Thrown if a two-body test or a shape does not answer a question, or if a shape cannot be used as requested.
 class ECODS_API NotSupported final : public Error {
   public:
-    // With Question::intersects, no test of the two kinds is registered. With hits and certify, both are the kind of
-    // one shape.
+    // With Question::intersects, no test of the two kinds is registered. With hits and certify, `a` and `b` are both
+    // the kind of one shape.
     NotSupported(Question question, ShapeKind a, ShapeKind b, BodyId body = {});
-    using Error::Error;  // not about a question
+    using Error::Error;  // for errors that are not about a question
 
     std::optional<Question> question = {};
-    ShapeKind a = {};  // if `question`: the kinds, in the order in which their test is registered
+    ShapeKind a = {};  // if `question` is set: the kinds, in the order in which their test is registered
     ShapeKind b = {};
     BodyId body = {};  // for certify: the body of the shape
 };
@@ -185,7 +188,7 @@ class ECODS_API NotUpdated final : public Error {
     NotUpdated();
 };
 
-// Thrown if the kind, box or digest of a caller's shape changed since its body got it; by check_invariants() only.
+// Thrown by check_invariants() only, if the kind, box or digest of a caller's shape changed since a body got the shape.
 class ECODS_API ShapeChanged final : public Error {
   public:
     ShapeChanged(BodyId body, ShapeKind kind, const std::string& what_changed);

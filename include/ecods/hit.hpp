@@ -6,12 +6,12 @@
 //
 // A body is as in intersection.hpp. A line that begins inside a solid, and not on its surface, hits the solid at
 // parameter 0, with the kind `inside`, and then its surface. A triangle is hit if it shares a point with the segment or
-// ray, ends included. So nothing leaks through an edge or a vertex, where every triangle with this edge or vertex is
-// hit; and a triangle that is only close is not hit. Real numbers decide, in any rounding mode.
+// ray, ends included. So nothing leaks through an edge or a vertex: every triangle with this edge or vertex is hit. A
+// triangle that is only close to the line is not hit. Real numbers decide, in any rounding mode.
 //
 // The parameter of a point of a segment is 0 at its first end and 1 at its second; for a ray it is the multiple of the
 // direction. Parameters and coordinates are the true ones, rounded once (distance.hpp says how). A positive parameter
-// is at least 2^-1074, so it is 0 exactly if the beginning is on the surface; beyond the largest double it is infinity.
+// is at least 2^-1074, so it is 0 exactly if the line begins on the surface; beyond the largest double it is infinity.
 // Hits are in the order of the real parameters, not of the rounded ones.
 //
 // Everything is defined for all finite poses, also singular ones; for zero-area triangles, which are the segments or
@@ -19,8 +19,8 @@
 // functions throw InvalidArgument if validate() refuses the segment or ray.
 //
 // A hit has no normal and no side of its own: computing them takes some microseconds, which most callers do not need.
-// hit_normal() gives the normal of one hit; sided_hits() gives all hits with normals, and says if the line enters or
-// leaves there; inside_parts() gives the parts of the line that are inside a solid.
+// hit_normal() gives the normal of one hit; sided_hits() gives all hits with normals, and says whether the line enters
+// or leaves there; inside_parts() gives the parts of the line that are inside a solid.
 //
 // Example: verify/examples/how_do_i, ray().
 #pragma once
@@ -40,12 +40,12 @@
 
 namespace ecods {
 
-// Returns the hit with the least parameter, of several with the least triangle; nullopt if there is no hit.
+// Return the hit with the least parameter; if several triangles tie, the least triangle; nullopt if there is no hit.
 //
 // Use a witness for a line that moves little: its triangle `b` is tried first, and replaced by the triangle that is
-// hit. If a segment moves in small steps, its memory keeps the triangles near its path, and most steps need no walk.
-// Cost: a walk along the line, nearest boxes first; then some tenths of a microsecond for each triangle whose hit
-// doubles cannot separate from the first, and for rounding.
+// hit. If a segment moves in small steps, the memory keeps the triangles near its path, and most steps need no walk.
+// Cost: a walk along the line, nearest boxes first; some tenths of a microsecond for each triangle whose hit doubles
+// cannot separate from the first; and the rounding.
 [[nodiscard]] ECODS_API std::optional<Hit> first_hit(const Segment& segment, const Posed<MeshShape>& body,
                                                      const Ask& ask = {});
 [[nodiscard]] ECODS_API std::optional<Hit> first_hit(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask = {});
@@ -55,44 +55,45 @@ namespace ecods {
                                                   const Ask& ask = {});
 [[nodiscard]] ECODS_API std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask = {});
 
-// The hits of many lines with one body: those of line i are hits[first[i]] to hits[first[i + 1] - 1].
+// HitLists holds the hits of many lines with one body: line i has hits[first[i]] to hits[first[i + 1] - 1].
 struct HitLists {
     std::vector<Hit> hits;
-    std::vector<std::size_t> first;  // one more than lines
+    std::vector<std::size_t> first;  // one entry more than there are lines
 
     std::span<const Hit> of(std::size_t line) const {
         return std::span(hits).subspan(first[line], first[line + 1] - first[line]);
     }
 };
 
-// The hits of many lines with the bodies: those of line i are hits[first[i]] to hits[first[i + 1] - 1].
+// BodyHitLists holds the hits of many lines with the bodies: line i has hits[first[i]] to hits[first[i + 1] - 1].
 struct BodyHitLists {
     std::vector<BodyHit> hits;
-    std::vector<std::size_t> first;  // one more than lines
+    std::vector<std::size_t> first;  // one entry more than there are lines
 
     std::span<const BodyHit> of(std::size_t line) const {
         return std::span(hits).subspan(first[line], first[line + 1] - first[line]);
     }
 };
 
-// Return all_hits() of each line, in their order. The error's `index` says which line is not valid.
+// Return all_hits() of each line, in the order of the lines. The error's `index` says which line is not valid.
 [[nodiscard]] ECODS_API HitLists all_hits(std::span<const Segment> segments, const Posed<MeshShape>& body,
                                           const Ask& ask = {});
 [[nodiscard]] ECODS_API HitLists all_hits(std::span<const Ray> rays, const Posed<MeshShape>& body, const Ask& ask = {});
 
 // ---- normals and sides
 
-// Return the unit normal at a hit, (q - p) x (r - p) of the posed corners of a triangle, each coordinate rounded once.
+// Return the unit normal at a hit, (q - p) x (r - p) of the posed corners p, q, r of a triangle, each coordinate
+// rounded once.
 //
-// If the hit's feature is a face, the triangle is the hit's. At an edge or a vertex, it is the one whose unit normal n
-// is most opposed to the line's direction d (the real n . d is least), of all triangles that the line hits first at the
-// same real parameter; of ties the least triangle. Zero-area triangles do not count. So the normal depends neither on
-// which of these triangles the hit names, nor on the order of triangles, unless two normals tie. It points out of a
-// solid whose triangles are counterclockwise seen from outside, at a pose that does not mirror.
+// If the hit's feature is a face, the triangle is the hit's. At an edge or a vertex, it is chosen from all triangles
+// that the line hits first at the same real parameter: it is the one whose unit normal n is most opposed to the line's
+// direction d (the real n . d is least); if several tie, the least triangle. Zero-area triangles do not count. So the
+// normal depends neither on which of these triangles the hit names, nor on the order of triangles, unless two normals
+// tie. It points out of a solid whose triangles are counterclockwise seen from outside, at a pose that does not mirror.
 //
-// Empty if no triangle counts, for the kind `inside`, or if the line has no such hit at an edge or a vertex (a hit of a
-// face is not looked for). Throw InvalidArgument. Cost: about two microseconds for a face; otherwise that of
-// all_hits(), and some microseconds for each triangle at the parameter.
+// The result is empty if no triangle counts, for the kind `inside`, or if the line has no such hit at an edge or a
+// vertex (whether the line has a given hit of a face is not checked). Throw InvalidArgument. Cost: about two
+// microseconds for a face; otherwise that of all_hits(), and some microseconds for each triangle at the parameter.
 [[nodiscard]] ECODS_API std::optional<Vec3> hit_normal(const Segment& segment, const Posed<MeshShape>& body,
                                                        const Hit& hit, const Ask& ask = {});
 [[nodiscard]] ECODS_API std::optional<Vec3> hit_normal(const Ray& ray, const Posed<MeshShape>& body, const Hit& hit,
@@ -102,28 +103,28 @@ struct BodyHitLists {
 enum class Passage : std::uint8_t {
     enters,   // it is inside the solid just after the hit, and not inside just before
     leaves,   // it is inside just before, and not just after
-    grazes,   // neither: it touches the surface from outside, from inside, or runs along it
-    crosses,  // of a surface: it goes through
+    grazes,   // neither: it touches the surface from outside or from inside, or runs along it
+    crosses,  // of a surface: the line goes through it
     begins,   // it begins inside the solid: HitKind::inside
 };
 
-// A hit with its normal, and where the line is beside it.
+// A SidedHit is a hit with its normal, and the sides on which the line is before and after it.
 //
-// `before` is where the line is just before the hit's parameter, `after` just after its leave_parameter: `on` means
-// that it runs along the surface there, in any of its triangles. The line is taken to go on beyond its ends, so that a
-// ray that begins on a face and goes inwards enters there. A line of length 0 is `on`, and grazes.
+// `before` is where the line is just before the hit's parameter, `after` where it is just after its leave_parameter:
+// `on` means that the line runs along the surface there, in any of the triangles. The line is taken to go on beyond its
+// ends, so a ray that begins on a face and goes inwards enters there. A line of length 0 is `on`, and grazes.
 //
 // A surface, a flat solid, or a solid at a singular pose has no inside: `before` and `after` are outside or on, and
-// outside beyond the line's ends. A hit of the kinds front and back crosses it. At an edge or a vertex, the line
-// crosses it if an odd number of the triangles that are hit first at the same real parameter are crossed by a line that
-// is shifted aside by an infinitesimal multiple of (1, k, k^2), for the least k = 0, 1, ... with which that line meets
-// no edge of the triangles that are hit, prolonged, that is in a common plane with the line. (If all edges there belong
-// to an even number of triangles, any shift gives the same answer.) All other hits graze it.
+// outside beyond the line's ends. There, a hit of the kinds front and back crosses. At an edge or a vertex, the line is
+// shifted aside by an infinitesimal multiple of (1, k, k^2), for the least k = 0, 1, ... with which the shifted line
+// meets no prolonged edge of the hit triangles that is in a common plane with the line. The line crosses there if the
+// shifted line crosses an odd number of the triangles that are hit first at the same real parameter. (If all edges
+// there belong to an even number of triangles, any shift gives the same answer.) All other hits graze.
 struct SidedHit {
     Hit hit;
     Side before = Side::outside, after = Side::outside;
     Passage passage = Passage::grazes;
-    std::optional<Vec3> normal;  // as hit_normal() gives it
+    std::optional<Vec3> normal;  // the normal that hit_normal() returns
 };
 
 // Return all_hits(), each with its normal and its sides. Throw InvalidArgument. Cost: that of all_hits(), one locate(),
@@ -136,13 +137,13 @@ struct SidedHit {
 // Says how a part of a line begins or ends.
 enum class PartEnd : std::uint8_t {
     of_line,  // the line itself begins or ends there, inside
-    crosses,  // at the surface, beyond which the line is outside
-    grazes,   // at one point of the surface, beyond which the line is inside again
-    along,    // at the surface, along which the line runs then
+    crosses,  // at the surface; beyond it the line is outside
+    grazes,   // at one point of the surface; beyond it the line is inside again
+    along,    // at the surface; from there on the line runs along it
 };
 
-// A part of a line that is inside a solid: the points at parameters between `from` and `to`. Ends on the surface do not
-// belong to it. Parameters and points are the true ones, rounded once, as in Hit.
+// An InsidePart is a part of a line that is inside a solid: the points at parameters between `from` and `to`. Ends on
+// the surface do not belong to it. Parameters and points are the true ones, rounded once, as in Hit.
 struct InsidePart {
     double from = 0, to = 0;
     PartEnd begin = PartEnd::of_line, end = PartEnd::of_line;
@@ -151,10 +152,11 @@ struct InsidePart {
     friend bool operator==(const InsidePart&, const InsidePart&) = default;
 };
 
-// Return the parts that are inside, ascending. Each is as long as possible, so where a line touches the surface from
-// inside at one point, one part ends and the next begins, both by `grazes`. What only touches the surface, or runs
-// along it, is no part; nor has a flat solid, a solid at a singular pose, or a line of length 0 any. Throw
-// InvalidArgument. Cost: that of all_hits(), one locate(), and some microseconds for each hit of an edge or a vertex.
+// Return the parts of the line that are inside, ascending. Each part is as long as possible, so where a line touches
+// the surface from inside at one point, one part ends and the next begins, both by `grazes`. A piece of the line that
+// only touches the surface, or runs along it, is no part. A flat solid, a solid at a singular pose, and a line of
+// length 0 have no parts. Throw InvalidArgument. Cost: that of all_hits(), one locate(), and some microseconds for each
+// hit of an edge or a vertex.
 [[nodiscard]] ECODS_API std::vector<InsidePart> inside_parts(const Segment& segment, const Posed<Solid>& solid,
                                                              const Ask& ask = {});
 [[nodiscard]] ECODS_API std::vector<InsidePart> inside_parts(const Ray& ray, const Posed<Solid>& solid,

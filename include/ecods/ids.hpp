@@ -1,4 +1,4 @@
-// Ids name things that live in a World. This header stands alone.
+// Ids name bodies and pairs of a World. This header stands alone.
 //
 // An id is opaque, small and passed by value. An id of zeros is null and names nothing. Ids contain no pointers, so
 // traces can record them. An id keeps nothing alive.
@@ -14,10 +14,11 @@
 
 namespace ecods {
 
-// Names one body of one World, from its creation to its destruction. The slot of a destroyed body is used again with a
-// new generation. So an id that outlives its body is recognised (StaleBody) and never names another body. A slot whose
-// generations are used up, after 65,536 bodies, is never used again; it keeps its memory. An id of another world is
-// recognised by the number of its world. There are 65,535 numbers: worlds are numbered in order, then from 1 again.
+// A BodyId names one body of one World, from its creation to its destruction. The slot of a destroyed body is used
+// again with a new generation. So an id that outlives its body is recognised (StaleBody) and never names another body.
+// A slot whose generations are used up, after 65,536 bodies, is never used again; it keeps its memory. An id of another
+// world is recognised by the number of its world. There are 65,535 numbers: worlds are numbered in order, then from 1
+// again.
 //
 // The number of the world is not written down: it is in no trace, no digest and no message. An id that a program makes
 // of slot and generation alone has world 0, and counts as an id of the world that it is given to.
@@ -36,7 +37,7 @@ struct BodyId {
     friend constexpr auto operator<=>(const BodyId& a, const BodyId& b) { return a.rank() <=> b.rank(); }
 };
 
-// Two bodies, with the smaller id first. Lists of pairs are ascending and contain each pair once.
+// A BodyPair names two bodies, with the smaller id first. Lists of pairs are ascending and contain each pair once.
 struct BodyPair {
     BodyId a;
     BodyId b;
@@ -44,7 +45,7 @@ struct BodyPair {
     friend constexpr auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
-// One triangle of each of two meshes, by index: `a` in the first mesh, `b` in the second.
+// A TrianglePair names one triangle of each of two meshes, by index: `a` in the first mesh, `b` in the second.
 struct TrianglePair {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -52,8 +53,8 @@ struct TrianglePair {
     friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 
-// Lists questions that a two-body test, or a shape (hits), may leave unanswered (shape.hpp). The last two are never put
-// to a test, and occur in NotSupported: every test answers `intersects`, and only meshes answer `certify`.
+// Lists questions that a two-body test, or a shape (hits), may leave unanswered (shape.hpp). The last two occur only in
+// NotSupported: every test answers `intersects`, and only meshes answer `certify`.
 enum class Question : std::uint8_t {
     relation,
     intersecting_triangles,
@@ -69,15 +70,15 @@ enum class Question : std::uint8_t {
     certify,
 };
 
-// The kind of a shape, by which a World selects the test for two bodies. Kind 0 is the triangle mesh; the three
-// greatest kinds are rounded shapes (rounded.hpp) and half spaces (half_space.hpp); the caller defines all other
-// values.
+// A ShapeKind is the kind of a shape, by which a World selects the test for two bodies. Kind 0 is the triangle mesh;
+// the three greatest kinds are rounded shapes (rounded.hpp) and half spaces (half_space.hpp); the caller defines all
+// other values.
 struct ShapeKind {
     std::uint32_t value = 0;
 
     static constexpr ShapeKind mesh() noexcept { return {}; }
     static constexpr ShapeKind rounded() noexcept { return {~std::uint32_t{0}}; }
-    static constexpr ShapeKind rounded_convex() noexcept { return {~std::uint32_t{1}}; }  // the core is convex
+    static constexpr ShapeKind rounded_convex() noexcept { return {~std::uint32_t{1}}; }  // rounded, with a convex core
     static constexpr ShapeKind half_space() noexcept { return {~std::uint32_t{2}}; }
     friend constexpr auto operator<=>(const ShapeKind&, const ShapeKind&) = default;
 };
@@ -97,7 +98,7 @@ struct CollisionFilter {
     return (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0;
 }
 
-// Write ids in the form of traces and messages: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh",
+// Write ids in the form that traces and messages use: "3.1" (slot and generation), "(3.1, 12.0)", "(7, 2)"; "mesh",
 // "rounded", "rounded convex", "half space", "kind 7".
 ECODS_API std::ostream& operator<<(std::ostream& out, BodyId body);
 ECODS_API std::ostream& operator<<(std::ostream& out, const BodyPair& pair);

@@ -30,8 +30,8 @@ namespace ecods {
 
 // Returns true if the bodies share a point; stops at the first one found. Touching counts, and so does being inside a
 // solid. Starts from a witness and leaves one.
-// Cost: of solids whose surfaces share no point, that of the surfaces, and if no axis of the whole bodies parts them, a
-// box of each and a ray for each connected part that has a vertex in the other's box.
+// Cost for solids whose surfaces share no point: that of the surfaces; and, unless an axis separates the whole bodies,
+// a box of each, and a ray for each connected part that has a vertex in the other's box.
 [[nodiscard]] ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
 // Returns how the first body is to the second.
@@ -41,18 +41,18 @@ namespace ecods {
 // the solid; or the surface is inside (and the solid contains it), if it is a subset of the solid and has points
 // inside; or they are crossing, if the surface has points inside and outside. Two solids are apart, touching,
 // overlapping, equal, or one is inside the other, which contains it; a subset may touch the boundary from inside. A
-// solid at a singular pose has no inside. If it is inside another solid, the two are touching.
+// solid at a singular pose has no inside. If it is a subset of another solid, the two are touching.
 //
 // Method for solids: signs of determinants of input points alone. If two triangles that are not coplanar share a
 // segment, the half-planes of both solids around its line, sorted by angle, say which regions exist there. A shell
 // without such a segment is on one side of the other solid's surface; one ray decides on which, from a point that is
-// moved symbolically. src/query/solid/README.md proves that nothing else can happen.
+// moved symbolically. src/query/solid/README.md proves that no other case exists.
 // Cost for solids: if the surfaces are apart, that of intersects(); if they meet, about that of
 // intersecting_triangles(). Two faces that cross end the search.
 [[nodiscard]] ECODS_API Relation relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
-// Returns every pair of triangles that share a point, ascending. Of solids, which may meet without one, triangles of
-// positive area count.
+// Returns every pair of triangles that share a point, ascending. For a solid, only triangles of positive area count;
+// two solids may meet without such a pair.
 [[nodiscard]] ECODS_API std::vector<TrianglePair> intersecting_triangles(const Posed<MeshShape>& a,
                                                                          const Posed<MeshShape>& b,
                                                                          const Ask& ask = {});

@@ -1,4 +1,4 @@
-// Triangle meshes.
+// A Mesh is a triangle mesh. It holds vertices and triangles, which are triples of vertex indices.
 //
 // Example: verify/examples/how_do_i, make_a_mesh().
 #pragma once
@@ -16,25 +16,25 @@
 
 namespace ecods {
 
-// Three indices of vertices. No answer depends on their order. Indices may repeat: such a triangle is the segment or
-// the point that it spans, and so is any other triangle of zero area.
+// A Triangle is three indices of vertices. No answer depends on their order. Indices may repeat: such a triangle is the
+// segment or the point that it spans, and so is any other triangle of zero area.
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Numbers of one of two types, stored contiguously: a std::vector, a std::span, an array.
+// NumbersOf is satisfied by numbers of one of two types, stored contiguously: a std::vector, a std::span, an array.
 template <class Range, class First, class Second>
 concept NumbersOf = std::ranges::contiguous_range<const Range> && std::ranges::sized_range<const Range> &&
     (std::same_as<std::ranges::range_value_t<Range>, First> || std::same_as<std::ranges::range_value_t<Range>, Second>);
 
-// A soup of closed triangles: immutable, and shared by any number of bodies, worlds and threads. It need not be closed,
-// connected or manifold. It is a surface: a small body inside a hollow one does not touch it. Vertices that no triangle
-// uses do not belong to it.
+// A Mesh is a soup of closed triangles: immutable, and shared by any number of bodies, worlds and threads. It need not
+// be closed, connected or manifold. It is a surface: a small body inside a hollow one does not touch it. Vertices that
+// no triangle uses do not belong to it.
 class ECODS_API Mesh {
   public:
-    // Takes over the lists. Throws InvalidMesh. Cost: one pass.
+    // Moves the lists into the mesh. Throws InvalidMesh. Cost: one pass.
     static std::shared_ptr<const Mesh> create(std::vector<Vec3> vertices, std::vector<Triangle> triangles);
 
     // Copies the caller's numbers: three coordinates of each vertex, `stride` numbers apart, and three indices of each
-    // triangle. The numbers that follow the last vertex's coordinates may be left out. Floats are taken exactly. Throws
+    // triangle. The numbers after the last vertex's coordinates may be left out. Floats are converted exactly. Throws
     // InvalidMesh, also if the numbers do not make whole vertices and triangles. An index beyond 32 bits is refused
     // like any other index that is too large.
     template <NumbersOf<float, double> Coordinates, NumbersOf<std::uint32_t, std::uint64_t> Indices>

@@ -1,5 +1,5 @@
-// A Pose says where a body is. Posed is a thing at a pose, Moving a thing that moves from one pose to another on
-// straight lines, and Turning a thing that moves rigidly.
+// A Pose says where a body is. A Posed is a thing at a pose, a Moving is a thing that moves from one pose to another on
+// straight lines, and a Turning is a thing that moves rigidly.
 //
 // Example: verify/examples/how_do_i, pose_a_body().
 #pragma once
@@ -16,26 +16,26 @@
 
 namespace ecods {
 
-// Points, differences and sizes, in a unit of length that the caller chooses. No unit is preferred: if all coordinates
-// are multiplied by a power of two, answers stay the same.
+// A Vec3 is a point, a difference of points or a size, in a unit of length that the caller chooses. No unit is
+// preferred: if all coordinates are multiplied by a power of two, answers stay the same.
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-// The map v -> R v + t (FCL, Coal: Transform3; Parry: Isometry). A body is the set of the real points R v + t for the
-// points v of its shape; nothing is rounded. Any finite R is allowed: it may scale, shear, mirror or be singular, and
-// the image is what counts. A rotation in doubles is rarely exactly orthogonal; the pose is taken as given.
+// A Pose is the map v -> R v + t (FCL, Coal: Transform3; Parry: Isometry). A body is the set of the real points R v + t
+// for the points v of its shape; nothing is rounded. Any finite R is allowed: it may scale, shear, mirror or be
+// singular, and the body is the image. A rotation in doubles is rarely exactly orthogonal; the pose is taken as given.
 struct Pose {
     Mat3 R = Mat3::Identity();
     Vec3 t = Vec3::Zero();
 
     // Makes a pose from q, which is not normalised. R is the matrix that Eigen's toRotationMatrix() computes: sums and
-    // products of q's coefficients, each rounded. That R is then used exactly, like any other R.
+    // products of q's coefficients, each rounded. R is then used exactly, as in any other pose.
     static Pose from_quaternion(const Eigen::Quaterniond& q, const Vec3& t) {
         return from_quaternion(q.w(), q.x(), q.y(), q.z(), t);
     }
     static Pose from_isometry(const Eigen::Isometry3d& m) { return {m.linear(), m.translation()}; }
 
-    // Throws InvalidArgument unless the last row is 0 0 0 1. Nothing is rounded.
+    // Throws InvalidArgument unless the last row is 0 0 0 1. No entry is rounded.
     static Pose from_matrix(const Eigen::Matrix4d& m) {
         require_last_row(m(3, 0), m(3, 1), m(3, 2), m(3, 3));
         return {m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
@@ -44,7 +44,8 @@ struct Pose {
     friend bool operator==(const Pose& a, const Pose& b) { return a.R == b.R && a.t == b.t; }
 
   private:
-    // Takes numbers instead of Eigen's quaternion, whose alignment depends on how the caller is compiled.
+    // Takes numbers instead of Eigen's quaternion, because the alignment of a quaternion depends on how the caller is
+    // compiled.
     ECODS_API static Pose from_quaternion(double w, double x, double y, double z, const Vec3& t);
     ECODS_API static void require_last_row(double x, double y, double z, double w);
 };
@@ -55,17 +56,17 @@ static_assert(alignof(Pose) == alignof(double) && sizeof(Pose) == 12 * sizeof(do
 // Throws InvalidArgument for the first entry, row by row of [R t], that is NaN or infinite.
 ECODS_API void validate(const Pose& pose);
 
-// Throws InvalidArgument, because a pointer to a thing to be posed is null.
+// Throws InvalidArgument: a pointer to a thing to be posed is null.
 [[noreturn]] ECODS_API void refuse_null_thing();
 
-// A thing at a pose: the set of the real points R v + t for the points v of `what`.
+// A Posed is a thing at a pose: the set of the real points R v + t for the points v of `what`.
 //
 // If made from a reference, it refers to the thing, which must outlive it. If made from a shared pointer, it keeps the
 // thing alive. A Posed may be returned, stored and copied; it has its own copy of the pose.
 template <class T>
 struct Posed {
     Posed(const T& thing, const Pose& at) : what(&thing), pose(at) {}
-    Posed(const T&& thing, const Pose& at) = delete;  // a temporary, which would be gone
+    Posed(const T&& thing, const Pose& at) = delete;  // a temporary would dangle
 
     // Throws InvalidArgument for a null pointer.
     template <std::derived_from<T> Derived>
@@ -79,19 +80,19 @@ struct Posed {
 
     const T* what;  // never null
     Pose pose;
-    std::shared_ptr<const T> kept;  // null where the thing is referred to
+    std::shared_ptr<const T> kept;  // null if the thing is held by reference
 };
 
 template <class T>
 Posed(std::shared_ptr<T>, const Pose&) -> Posed<std::remove_const_t<T>>;
 
-// A moving thing: in the time from 0 to 1, each point v of `what` moves from R v + t of one pose to R v + t of the
-// other, on a straight line and at constant speed. It has copies of the poses, and refers to or keeps the thing as
-// Posed does.
+// A Moving is a moving thing: in the time from 0 to 1, each point v of `what` moves from R v + t of one pose to R v + t
+// of the other, on a straight line and at constant speed. It has copies of the poses, and refers to the thing or keeps
+// it alive as Posed does.
 template <class T>
 struct Moving {
     Moving(const T& thing, const Pose& start, const Pose& end) : what(&thing), from(start), to(end) {}
-    Moving(const T&& thing, const Pose& start, const Pose& end) = delete;  // a temporary, which would be gone
+    Moving(const T&& thing, const Pose& start, const Pose& end) = delete;  // a temporary would dangle
 
     // Throws InvalidArgument for a null pointer.
     template <std::derived_from<T> Derived>
@@ -103,21 +104,21 @@ struct Moving {
     const T* what;  // never null
     Pose from;
     Pose to;
-    std::shared_ptr<const T> kept;  // null where the thing is referred to
+    std::shared_ptr<const T> kept;  // null if the thing is held by reference
 };
 
 template <class T>
 Moving(std::shared_ptr<T>, const Pose&, const Pose&) -> Moving<std::remove_const_t<T>>;
 
-// The quaternion w + x i + y j + z k. It may have any length but zero.
+// A Quaternion is w + x i + y j + z k. It may have any length but zero.
 struct Quaternion {
     double w = 1, x = 0, y = 0, z = 0;
 
     friend bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 
-// The turn by q about a pivot that goes from one point of the world to another. If x = y = z = 0, w must be positive,
-// and the body glides without turning.
+// A Turn is the turn by q about a pivot that goes from one point of the world to another. If x = y = z = 0, w must be
+// positive, and the body is translated without turning.
 struct Turn {
     Quaternion q;
     Vec3 pivot_from = Vec3::Zero();
@@ -128,16 +129,16 @@ struct Turn {
     }
 };
 
-// Throws InvalidArgument (Argument::turn) if a number is not finite: "q.w", "q.x", "pivot_from(0)", "pivot_to(2)"; and
-// if the quaternion is zero, or w < 0 and x = y = z = 0, which is a whole turn and has no axis: "q".
+// Throws InvalidArgument (Argument::turn) if a number is not finite: "q.w", "q.x", "pivot_from(0)", "pivot_to(2)". Also
+// throws, with "q", if the quaternion is zero, or if w < 0 and x = y = z = 0, which is a whole turn and has no axis.
 ECODS_API void validate(const Turn& turn);
 
-// A thing that is at a pose at time 0, and then turns. It has copies of pose and turn, and refers to or keeps the thing
-// as Posed does.
+// A Turning is a thing that is at a pose at time 0, and then turns. It has copies of pose and turn, and refers to the
+// thing or keeps it alive as Posed does.
 template <class T>
 struct Turning {
     Turning(const T& thing, const Pose& start, const Turn& motion) : what(&thing), pose(start), turn(motion) {}
-    Turning(const T&& thing, const Pose& start, const Turn& motion) = delete;  // a temporary, which would be gone
+    Turning(const T&& thing, const Pose& start, const Turn& motion) = delete;  // a temporary would dangle
 
     // Throws InvalidArgument for a null pointer.
     template <std::derived_from<T> Derived>
@@ -149,7 +150,7 @@ struct Turning {
     const T* what;  // never null
     Pose pose;
     Turn turn;
-    std::shared_ptr<const T> kept;  // null where the thing is referred to
+    std::shared_ptr<const T> kept;  // null if the thing is held by reference
 };
 
 template <class T>

@@ -1,4 +1,4 @@
-// Predicates are exact signs, and say exactly how two triangles meet.
+// Predicates are exact signs of determinants, and the exact relation of two triangles.
 //
 // A posed point is the real point R v + t; no rounding affects an answer. Every function here is complete: it answers
 // for all finite doubles, subnormals and 1e308 included, in every rounding mode, with or without flush-to-zero. The
@@ -30,13 +30,13 @@ enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 
 ECODS_API std::ostream& operator<<(std::ostream& out, Sign sign);  // "negative", "zero", "positive"
 
-// The point R v + t of a body.
+// A PosedPoint is the point R v + t of a body.
 struct PosedPoint {
     Pose pose;
     Vec3 v;
 };
 
-// The triangle of a body whose corners are R v + t.
+// A PosedTriangle is the triangle of a body whose corners are R v + t.
 struct PosedTriangle {
     Pose pose;
     std::array<Vec3, 3> corners;
@@ -49,12 +49,12 @@ ECODS_API Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) noexcept;
 // a) points, zero if the four points are in one plane. (Shewchuk's orient3d has the other sign.)
 ECODS_API Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept;
 
-// Return orient2d and orient3d of posed points, which may be of any bodies. orient2d sees the points along an axis, 0
-// to 2: it takes their coordinates (axis + 1) mod 3 and (axis + 2) mod 3.
+// Return orient2d and orient3d of posed points, which may belong to any bodies. orient2d projects the points along an
+// axis, 0 to 2: it takes their coordinates (axis + 1) mod 3 and (axis + 2) mod 3.
 ECODS_API Sign orient2d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, int axis) noexcept;
 ECODS_API Sign orient3d(const PosedPoint& a, const PosedPoint& b, const PosedPoint& c, const PosedPoint& d) noexcept;
 
-// Returns apart, touching or crossing. The result does not depend on the order of the triangles or of their corners.
+// Return apart, touching or crossing. The result does not depend on the order of the triangles or of their corners.
 // Zero-area triangles are the segments or points that they span. Two triangles with an area that share only one point
 // are touching; a segment may cross a triangle in one point. Source: Guigue and Devillers, Fast and Robust
 // Triangle-Triangle Overlap Test Using Orientation Predicates, 2003, derived again

@@ -1,4 +1,4 @@
-// Answers to questions about two bodies, a line, a point, or a World.
+// Results are answers to questions about two bodies, a line, a point, or a World.
 //
 // Each number is the true number of the real points R v + t, rounded once to the nearest double (ties to even). A zero
 // coordinate is +0. distance.hpp says more.
@@ -22,27 +22,27 @@
 
 namespace ecods {
 
-// The relation of two sets of points. Two surfaces, or two triangles, are apart, touching or crossing. A surface and a
-// solid are apart, touching or crossing, or the surface is inside (and the solid contains it). Two solids are in any
-// relation but crossing.
+// A Relation says how two sets of points lie. Two surfaces, or two triangles, are apart, touching or crossing. A
+// surface and a solid are apart, touching or crossing, or the surface is inside (and the solid contains it). Two solids
+// are in any relation but crossing.
 enum class Relation : std::uint8_t {
     apart = 0,     // they share no point
     touching = 1,  // they share a point (one is enough), but are neither crossing nor overlapping
-    // Two surfaces cross if two triangles that are not coplanar share a point of the relative interior of both. (That
-    // of a segment is the open segment.) Coplanar triangles that overlap are touching. A surface and a solid cross if
-    // the surface has points inside the solid, and points outside. A flat convex solid is as a surface, of one triangle
-    // that may be a polygon (shape.hpp).
+    // Two surfaces cross if two triangles that are not coplanar share a point of the relative interior of both. (The
+    // relative interior of a segment is the open segment.) Coplanar triangles that overlap are touching. A surface and
+    // a solid cross if the surface has points inside the solid, and points outside. A flat convex solid counts as a
+    // surface of one triangle, which may be a polygon (shape.hpp).
     crossing = 2,
     overlapping = 3,  // solids share inner points, and neither contains the other
     inside = 4,       // the first is a proper subset of the second
     contains = 5,     // the second is a proper subset of the first
-    equal = 6,        // they are the same set, however it is cut into triangles
+    equal = 6,        // they are the same set, whatever their triangles are
 };
 
-// A vertex, an edge or a face of a mesh. It is named by a triangle that contains it, and by a corner of this triangle,
-// 0, 1 or 2: a vertex is at the corner; an edge goes from the corner to the next one; for a face, the corner is 0. If
-// several corners of the triangle name the feature, `corner` is the least of them. The kind `none` is no feature of the
-// mesh: the point is inside the solid.
+// A Feature is a vertex, an edge or a face of a mesh. It is named by a triangle that contains it, and by a corner of
+// this triangle, 0, 1 or 2: a vertex is at the corner; an edge goes from the corner to the next one; for a face, the
+// corner is 0. If several corners of the triangle name the feature, `corner` is the least of them. The kind `none` is
+// no feature of the mesh: the point is inside the solid.
 struct Feature {
     enum class Kind : std::uint8_t { vertex, edge, face, none };
 
@@ -52,12 +52,13 @@ struct Feature {
 
     friend bool operator==(const Feature&, const Feature&) = default;
 };
-inline constexpr Feature no_feature{Feature::Kind::none, ~std::uint32_t{0}, 0};  // its triangle is no index
+inline constexpr Feature no_feature{Feature::Kind::none, ~std::uint32_t{0}, 0};  // a triangle index that no mesh has
 
 // Says which kinds of features contain the closest points.
 enum class ClosestKind : std::uint8_t { vertex_vertex, vertex_edge, vertex_face, edge_edge, intersecting, contained };
 
-// Two closest points of two bodies, or of two triangles, and the features that contain these points.
+// ClosestPoints holds two closest points of two bodies, or of two triangles, and the features that contain these
+// points.
 //
 // The features are those of lowest dimension that contain the points: a vertex, the open edge, or the open face. If
 // several pairs of features have exactly the least distance, the first pair is given: in the order of ClosestKind, then
@@ -65,12 +66,12 @@ enum class ClosestKind : std::uint8_t { vertex_vertex, vertex_edge, vertex_face,
 // only if they are not parallel: parallel edges also have a vertex at the least distance. A side of a zero-area
 // triangle is an edge if its ends differ. If the bodies share a point, the kind is `intersecting`. Both features are
 // then the faces of the least pair of triangles that share a point; both points are the lexicographically least corner
-// of what these two share.
+// of the set that these two triangles share.
 //
 // If the bodies share a point and no two triangles do, the kind is `contained`: a part of one body is inside the other
-// one, a solid. (A part is all triangles that are joined over vertices.) One feature is then corner 0 of the least
-// triangle of such parts, of `a` if it has one, otherwise of `b`. The other feature is no_feature, and both points are
-// that corner.
+// one, a solid. (A part is a maximal set of triangles that are connected by vertices.) Let T be the least triangle of
+// such parts, of `a` if it has one, otherwise of `b`. The feature of T's body is then corner 0 of T, the other feature
+// is no_feature, and both points are that corner.
 //
 // The features of two convex solids at regular poses are those of the sets, as solid.hpp names them, unless the solids
 // share a point.
@@ -84,13 +85,13 @@ struct ClosestPoints {
     friend bool operator==(const ClosestPoints&, const ClosestPoints&) = default;
 };
 
-// The point of a body that is closest to a given point, and the feature that contains it, as ClosestPoints names it for
-// a body that is the given point alone.
+// A ClosestPoint is the point of a body that is closest to a given point, and the feature that contains it. The feature
+// is the one that ClosestPoints names for a body that is the given point alone.
 //
-// So of several features at exactly the least distance, the first is given: vertices before edges and faces, then by
-// triangle and corner. If the given point is on the body's surface, the distance is 0, `point` is the given point, and
-// the feature is the face of the least triangle that contains it (locate() names the feature of lowest dimension). If
-// it is inside a solid, the distance is 0, `point` is the given point, and the feature is no_feature.
+// So if several features are at exactly the least distance, the first is given: vertices before edges and faces, then
+// by triangle and corner. If the given point is on the body's surface, the distance is 0, `point` is the given point,
+// and the feature is the face of the least triangle that contains it (locate() names the feature of lowest dimension).
+// If the given point is inside a solid, the distance is 0, `point` is the given point, and the feature is no_feature.
 struct ClosestPoint {
     double distance = 0;
     Feature feature;
@@ -99,25 +100,27 @@ struct ClosestPoint {
     friend bool operator==(const ClosestPoint&, const ClosestPoint&) = default;
 };
 
-// An interval that contains a distance.
+// DistanceBounds is an interval that contains a distance.
 struct DistanceBounds {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
 };
 
-// The points that two triangles share: a point (one corner), a segment (two), or a convex polygon in a common plane.
+// A SharedSet is the set of points that two triangles share: a point (one corner), a segment (two), or a convex polygon
+// in a common plane.
 struct SharedSet {
     std::size_t corner_count = 0;  // 1 to 6; 0 if the triangles share no point
 
     // The corner whose real point is lexicographically least comes first. Other corners of a polygon follow
-    // counterclockwise, seen from the side to which `normal` points; it is the first triangle's normal.
+    // counterclockwise, seen from the side to which `normal` points; for a polygon, that is the first triangle's
+    // normal.
     std::array<Vec3, 6> all_corners{};
 
-    // A unit vector in these cases; otherwise empty. (1) The shared set is inside one triangle's face, and in a vertex
+    // A unit vector in three cases; otherwise empty. (1) The shared set is inside one triangle's face, and in a vertex
     // or an edge of the other triangle: the face's normal, (q - p) x (r - p) of its corners p, q and r. (2) It is in
-    // both faces: the first triangle's normal. (3) It is one point inside an edge of each, and these are not parallel:
-    // the cross product of the first triangle's edge and the second's, each from its corner to the next one. (Of edges
-    // of a zero-area triangle that lie on each other, the least corner's counts.)
+    // both faces: the first triangle's normal. (3) It is one point inside an edge of each, and these edges are not
+    // parallel: the cross product of the first triangle's edge and the second's, each from its corner to the next one.
+    // (If edges of a zero-area triangle lie on each other, the edge of the least corner counts.)
     std::optional<Vec3> normal;
 
     std::span<const Vec3> corners() const noexcept { return std::span(all_corners).first(corner_count); }
@@ -128,7 +131,7 @@ struct TriangleIntersection {
     SharedSet shared;
 };
 
-// Two features that are near each other.
+// CloseFeatures are two features that are near each other.
 //
 // The features are those of the meshes, whatever triangles name them: corners with equal coordinates are one vertex (-0
 // equals 0), edges between the same two vertices are one edge, and each triangle has a face of its own. Each feature is
@@ -137,20 +140,20 @@ struct CloseFeatures {
     // The two features with their own distance and closest points. Features that touch have distance 0.
     ClosestPoints closest;
 
-    // A unit vector, or empty. At a positive distance: the direction from the closest point of `a` to the closest point
-    // of `b`. At distance 0: if a vertex touches a face, the face's normal, (q - p) x (r - p) of its corners p, q and
-    // r; if two edges touch, the cross product of the edge of `a` and the edge of `b`, each from the corner that names
-    // it to the next one; empty for all other kinds.
+    // A unit vector, or empty. If the distance is positive: the direction from the closest point of `a` to the closest
+    // point of `b`. If it is 0 and a vertex touches a face: the face's normal, (q - p) x (r - p) of its corners p, q
+    // and r. If it is 0 and two edges touch: the cross product of the edge of `a` and the edge of `b`, each from the
+    // corner that names it to the next one. Empty for all other kinds.
     std::optional<Vec3> direction;
 };
 
-// The first contact of two moving bodies: its time, and a pair of features that share a point then. (FCL: time of
-// contact; Box3D: time of impact.)
+// A FirstContact is the time at which two moving bodies first meet, and a pair of features that share a point then.
+// (FCL: time of contact; Box3D: time of impact.)
 //
 // A pair of triangles counts if the time of its first contact rounds to `time`. Its features are those of lowest
-// dimension that contain the shared point at this first contact. The first pair of features that counts is given, in
-// the order of ClosestPoints. At time 0 the kind is `intersecting`, and the features are the faces of the least pair of
-// triangles that share a point at the start; or it is `contained`, with the features of ClosestPoints.
+// dimension that contain the shared point at this first contact. Of the features of all pairs that count, the first is
+// given, in the order of ClosestPoints. At time 0 the kind is `intersecting`, and the features are the faces of the
+// least pair of triangles that share a point at the start; or it is `contained`, with the features of ClosestPoints.
 struct FirstContact {
     double time = 0;
     ClosestKind kind = ClosestKind::intersecting;
@@ -162,7 +165,7 @@ struct FirstContact {
 
 // Says how a line hits a triangle.
 enum class HitKind : std::uint8_t {
-    front,   // inside the face, coming from the side from which its posed corners are counterclockwise
+    front,   // inside the face, coming from the side on which its posed corners are counterclockwise
     back,    // inside the face, from the other side
     face,    // inside the face, by a point that comes from no side: a segment of length 0, a ray in the face that ends
              // where it begins
@@ -172,14 +175,15 @@ enum class HitKind : std::uint8_t {
     inside,  // no triangle: the line begins inside the solid. The parameter is 0, the feature is no_feature
 };
 
-// The points that a segment or ray shares with one triangle: one point, or all points from `point` to `leave_point`.
+// A Hit holds the points that a segment or ray shares with one triangle: one point, or all points from `point` to
+// `leave_point`.
 struct Hit {
     double parameter = 0;        // of the first shared point
     double leave_parameter = 0;  // of the last one; differs from `parameter` only if `along`
     HitKind kind = HitKind::front;
-    // Number of distinct smaller real parameters with a hit. Hits of equal rank tie exactly.
+    // The number of distinct smaller real parameters with a hit. Hits of equal rank tie exactly.
     std::uint32_t rank = 0;
-    // The feature of lowest dimension of this triangle that contains all shared points. Corners with equal coordinates
+    // The feature of this triangle of lowest dimension that contains all shared points. Corners with equal coordinates
     // are one vertex. If a feature has several names in the triangle, the one with the least corner is given.
     Feature feature;
     Vec3 point = Vec3::Zero();
@@ -190,18 +194,19 @@ struct Hit {
 
 enum class Side : std::uint8_t { outside, on, inside };
 
-// Says where a point is relative to a solid.
+// A Location says where a point is relative to a solid.
 struct Location {
     Side side = Side::outside;
 
-    // The vertex, open edge or open face that contains the point, if it is on the surface: the feature of lowest
-    // dimension, then of the least triangle and corner. Its indices are those of the mesh.
+    // The vertex, open edge or open face that contains the point, if it is on the surface. Of several such features,
+    // the one of lowest dimension is given, then the one of the least triangle and corner. Indices are those of the
+    // mesh.
     Feature feature = {};
 
     friend bool operator==(const Location&, const Location&) = default;
 };
 
-// The shortest translation of b that parts two convex solids (FCL, Coal: penetration depth).
+// A Depth is the shortest translation of b that parts two convex solids (FCL, Coal: penetration depth).
 //
 // Its direction is an exact normal, which the features `a` and `b` name: `a` is the first solid's feature furthest
 // along the normal, `b` the second solid's feature furthest against it; solid.hpp says how features are named. If `a`
@@ -213,11 +218,12 @@ struct Location {
 // If several normals have exactly this depth, the first is given: faces of the first solid by their names, then faces
 // of the second, then pairs of edges by the name of the first solid's edge and then of the second's.
 //
-// A polygon's face has an outer normal on both sides. If both have this depth, the other solid's feature decides: a
-// vertex before an edge before a face, then by name. If both solids are flat, and the vectors between their points lie
-// in a plane, the depth is 0, and `a` and `b` are all of each. Then the normal is (q - p) x (r - p) of the corners of
-// the triangle that names the polygon `a`, or `b` if only that is one; for segments that are not parallel their
-// product, each from the vertex of the lesser name; or that of a segment and the first axis not parallel to it; or x.
+// A polygon's face has an outer normal on both sides. If both normals have this depth, the other solid's features
+// decide: a vertex before an edge before a face, then by name. If both solids are flat, and the vectors between their
+// points lie in a plane, the depth is 0, and `a` and `b` each name the whole solid. Then the normal is (q - p) x (r -
+// p) of the corners of the triangle that names the polygon `a`, or `b` if only that is a polygon. For two segments that
+// are not parallel it is their cross product, each taken from the vertex of the lesser name. Otherwise it is the cross
+// product of a segment and the first axis not parallel to it; or, for two points, x.
 struct Depth {
     double depth = 0;  // 0 exactly when the solids touch, as two in one plane do
     Feature a, b;
@@ -228,11 +234,11 @@ struct Depth {
 
 // ---- answers of a World
 
-// The body at the least distance from a subject, if the real distance is at most the limit. Equal rounded distances
-// give the least id.
+// A NearestBody is the body at the least distance from a subject, if the real distance is at most the limit. If rounded
+// distances are equal, the least id is given.
 //
 // Cost: that of BroadPhase::visit_near; for each body visited that is not filtered out, a test of `within`, usually a
-// cheap one; and a distance for each that is the least so far.
+// cheap one; and a distance for each body that is the closest so far.
 struct NearestBody {
     BodyId body;
     double distance = 0;
@@ -240,17 +246,18 @@ struct NearestBody {
     friend bool operator==(const NearestBody&, const NearestBody&) = default;
 };
 
-// A ClosestPair says how far two bodies are from each other, and where. The distance is signed in three cases: both
-// bodies are ConvexSolids at regular poses; at least one is rounded, and each body, or its core, is a ConvexSolid or a
-// mesh of one triangle at a regular pose; or one is a half space and the other one a mesh, a solid or a rounded body.
-// It is then that of SignedDistance, so negative if they share inner points. For all other pairs it is that of
-// World::distance, which is 0 if they share a point: for a mesh or a solid with dents and anything but a half space,
-// for two half spaces, and for a caller's own shapes. It is rounded once; a limit is compared with the real one.
+// A ClosestPair says how far two bodies are from each other, and where they are closest. The distance is signed in
+// three cases: both bodies are ConvexSolids at regular poses; at least one is rounded, and each body, or its core, is a
+// ConvexSolid or a mesh of one triangle at a regular pose; or one is a half space and the other one a mesh, a solid or
+// a rounded body. A signed distance is that of SignedDistance, so negative if they share inner points. For all other
+// pairs the distance is that of World::distance, which is 0 if they share a point: for a mesh or a solid with dents and
+// anything but a half space, for two half spaces, and for a caller's own shapes. `distance` is rounded once; a limit is
+// compared with the real distance.
 //
 // `points` has that distance, the features and the points: those of SignedDistance, or of World::closest. It is empty
 // for two half spaces, and for a caller's own shapes whose test does not answer `closest`. `direction` is that of
-// SignedDistance, along which the second body would move; empty if the distance is positive or has no sign. Pairs are
-// ordered by distance, then by ids.
+// SignedDistance, along which the second body would move; it is empty if the distance is positive or has no sign. Pairs
+// are ordered by distance, then by ids.
 struct ClosestPair {
     BodyPair bodies;
     double distance = 0;
@@ -260,9 +267,9 @@ struct ClosestPair {
     friend bool operator==(const ClosestPair&, const ClosestPair&) = default;
 };
 
-// A hit and its body. `hit.rank` counts the smaller parameters of all bodies that were asked. Hits are ordered by real
-// parameter, then by id, then by triangle. The parameters that a rounded body or a caller's own shape returns are taken
-// as exact; its hits with the same parameter stay in its order.
+// A BodyHit is a hit and its body. `hit.rank` counts the smaller parameters of all bodies that were asked. Hits are
+// ordered by real parameter, then by id, then by triangle. The parameters that a rounded body or a caller's own shape
+// returns are taken as exact; hits of one such body with the same parameter keep the order in which it returned them.
 //
 // Cost: that of BroadPhase::visit_along, and a question to each body whose box the line meets before the first hit.
 struct BodyHit {
@@ -270,9 +277,9 @@ struct BodyHit {
     Hit hit;
 };
 
-// The body that a moving subject meets first, if the exact time is at most max_time. Bodies are compared by their
-// times, each rounded once; of equal times, the least id is given. `contact.a` is a feature of the moving subject,
-// `contact.b` of `body`.
+// A BodyContact is the body that a moving subject meets first, if the exact time is at most max_time. Bodies are
+// compared by their times, each rounded once; if times are equal, the least id is given. `contact.a` is a feature of
+// the moving subject, `contact.b` of `body`.
 struct BodyContact {
     BodyId body;
     FirstContact contact;
@@ -280,11 +287,11 @@ struct BodyContact {
     friend bool operator==(const BodyContact&, const BodyContact&) = default;
 };
 
-// Two bodies that meet while bodies move. `contact.a` is a feature of `bodies.a`. Meetings are ordered by first time,
-// rounded once, then by pair. Pairs that meet at time 0 are included.
+// A Meeting is the first contact of two bodies while bodies move. `contact.a` is a feature of `bodies.a`. Meetings are
+// ordered by first time, rounded once, then by pair. Pairs that meet at time 0 are included.
 //
 // Cost: near-linear in the number of bodies listed, of bodies that changed since the last update, and of colliding
-// pairs; and a question for each pair of bodies for which the boxes of their ways overlap.
+// pairs; and a question for each pair of bodies whose swept boxes overlap.
 struct Meeting {
     BodyPair bodies;
     FirstContact contact;
@@ -292,7 +299,7 @@ struct Meeting {
     friend bool operator==(const Meeting&, const Meeting&) = default;
 };
 
-// Two bodies that collide, and the relation of the first to the second.
+// A PairRelation names two bodies that collide, and the relation of the first to the second.
 //
 // Cost: at an update, one relation() for each pair that was tested and collides, and a pass over the list.
 struct PairRelation {
@@ -302,8 +309,8 @@ struct PairRelation {
     friend bool operator==(const PairRelation&, const PairRelation&) = default;
 };
 
-// Two convex bodies that share a point, and the shortest translation of `bodies.b` that parts them. Cost: as of
-// closest_pairs, and a depth() for each pair.
+// A BodyDepth names two convex bodies that share a point, and the shortest translation of `bodies.b` that parts them.
+// Cost: that of closest_pairs, and a depth() for each pair.
 struct BodyDepth {
     BodyPair bodies;
     Depth depth;
@@ -311,7 +318,8 @@ struct BodyDepth {
     friend bool operator==(const BodyDepth&, const BodyDepth&) = default;
 };
 
-// Two bodies and their distance, signed as that of ClosestPair. Cost: as of closest_pairs, without the points.
+// A PairDistance names two bodies and their distance, signed as in ClosestPair. Cost: that of closest_pairs, without
+// the points.
 struct PairDistance {
     BodyPair bodies;
     double distance = 0;
@@ -319,7 +327,7 @@ struct PairDistance {
     friend bool operator==(const PairDistance&, const PairDistance&) = default;
 };
 
-// A body that contains a point, inside or on its surface.
+// A BodyAt names a body that contains a point, inside or on its surface.
 struct BodyAt {
     BodyId body;
     Side side = Side::inside;

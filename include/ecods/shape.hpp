@@ -20,43 +20,44 @@
 
 namespace ecods {
 
-// The base class of all shapes (FCL, Coal: CollisionGeometry). A shape must not change while a body has it. To change a
-// body's shape, give it a new one by World::set_shape.
+// A Shape is the base class of all shapes (FCL, Coal: CollisionGeometry). It must not change while a body has it. To
+// change a body's shape, give it a new one by World::set_shape.
 class ECODS_API Shape {
   public:
     virtual ~Shape() = default;
 
     virtual ShapeKind kind() const noexcept = 0;
 
-    // Returns a box that contains every point of the shape at the pose. If a point is outside, contacts may be lost. If
-    // min > max or a number is NaN, the call of the library that uses the box throws InvalidArgument.
+    // Returns a box that contains every point of the shape at the pose. If a point is outside the box, contacts may be
+    // lost. If min > max or a number is NaN, the call of the library that uses the box throws InvalidArgument.
     virtual Aabb box(const Pose& pose) const = 0;
 
     // Returns a hash of the shape's content, for World::digest. Equal shapes must return equal hashes.
     virtual std::uint64_t digest() const noexcept = 0;
 
     // Optional: the hits of a segment or ray with the shape. A shape for which answers(Question::hits) is true
-    // overrides both forms of all_hits. These return hits ascending by parameter; a World keeps the order of those with
-    // the same parameter (of a mesh, it is that of triangles), and ignores `rank`. first_hit returns the first of them;
-    // the default takes it from all_hits. For other shapes all four throw NotSupported, and so does a World that is
-    // asked for hits, before it asks any body.
-    virtual bool answers(Question question) const noexcept;  // the default answers none
+    // overrides both forms of all_hits. These return hits ascending by parameter; a World keeps the order of hits with
+    // the same parameter (a mesh orders them by triangle), and ignores `rank`. first_hit returns the first hit; by
+    // default it calls all_hits. For shapes that do not answer hits, all four throw NotSupported; a World that is asked
+    // for hits then throws it before it asks any body.
+    virtual bool answers(Question question) const noexcept;  // by default: none
     virtual std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const;
     virtual std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const;
     virtual std::optional<Hit> first_hit(const Segment& segment, const Pose& pose, const Ask& ask) const;
     virtual std::optional<Hit> first_hit(const Ray& ray, const Pose& pose, const Ask& ask) const;
 };
 
-// The form of a mesh's shape: its surface, which is the closed triangles; the solid that they bound; or a convex solid.
+// A MeshForm says what a mesh's shape stands for: its surface, which is the closed triangles; the solid that they
+// bound; or a convex solid.
 enum class MeshForm : std::uint8_t { surface, solid, convex };
 
-// A triangle mesh with its tree of boxes (FCL, Coal: BVHModel; Parry: TriMesh). The body is the surface: the closed
-// triangles. The tree and other data are made once, when a question first needs them, in any thread. So bodies with the
-// same mesh should share one MeshShape; World::create_body(mesh, pose) does that.
+// A MeshShape is a triangle mesh with its tree of boxes (FCL, Coal: BVHModel; Parry: TriMesh). The body is the surface:
+// the closed triangles. The tree and other data are made once, when a question first needs them, in any thread. So
+// bodies with the same mesh should share one MeshShape; World::create_body(mesh, pose) does that.
 //
-// Cost: box() is constant, after about 0.1 microseconds a vertex the first time (for meshes beyond 2^900, or below
-// 2^-900, a pass over the vertices); the tree takes about a microsecond a triangle (n log n). Casts of bodies beyond
-// 2^200, or below 2^-200, make a mesh of moderate size, once, with its tree.
+// Cost: box() is constant, after about 0.1 microseconds a vertex the first time (for meshes with coordinates beyond
+// 2^900 or below 2^-900, it is a pass over the vertices); the tree takes about a microsecond a triangle (n log n).
+// Casts of bodies with coordinates beyond 2^200 or below 2^-200 make a scaled copy of the mesh, once, with its tree.
 class ECODS_API MeshShape : public Shape {
   public:
     // Throws InvalidArgument for a null mesh.
@@ -68,7 +69,7 @@ class ECODS_API MeshShape : public Shape {
 
     // Returns a box that contains the exact body. Each side exceeds the body by at most 1/8 of the mesh's half diagonal
     // (for round meshes, by less than 1.6 % of the radius), and is within the box of the mesh's oriented box. Up to 32
-    // vertices, the box is tight to rounding.
+    // vertices, the box is tight up to rounding.
     Aabb box(const Pose& pose) const override;
 
     std::uint64_t digest() const noexcept override { return mesh_->digest(); }
@@ -95,19 +96,19 @@ class ECODS_API MeshShape : public Shape {
     ECODS_HIDDEN MeshShape(std::shared_ptr<const Mesh> mesh, std::shared_ptr<Parts> parts);
 
     std::shared_ptr<const Mesh> mesh_;
-    std::shared_ptr<Parts> parts_;  // also those of the surface of a solid
+    std::shared_ptr<Parts> parts_;  // shared by a solid and its surface
     MeshForm form_ = MeshForm::surface;
 };
 
 // Returns a shape with the same triangles and other vertices, for a mesh that deforms; give it to a body by
-// World::set_shape. It reuses the structure of the tree of `shape` with new boxes. If the surfaces of the boxes have
-// grown to 1.5 times those at the last build, it builds a new tree. Answers are exact either way. Throws InvalidMesh,
+// World::set_shape. The new shape has the tree of `shape` with new boxes. If the surface areas of the boxes have grown
+// to 1.5 times those at the last build, a new tree is built instead. Answers are exact either way. Throws InvalidMesh,
 // also if there are too few vertices. Cost: some passes over the triangles.
 [[nodiscard]] ECODS_API std::shared_ptr<const MeshShape> refit(const MeshShape& shape, std::vector<Vec3> vertices);
 
-// A mesh that bounds a solid: the closed set of the points inside and on the surface. (The boxes and convex shapes of
-// FCL, Coal, Bullet and Jolt are such sets.) Every question, and a World, takes the whole set, so a body inside a solid
-// meets it, at distance 0. surface_of(solid) is the surface alone.
+// A Solid is a mesh that bounds a solid: the closed set of the points inside and on the surface. (The boxes and convex
+// shapes of FCL, Coal, Bullet and Jolt are such sets.) Every question, and a World, takes the whole set, so a body
+// inside a solid meets it, at distance 0. surface_of(solid) is the surface alone.
 //
 // A mesh bounds a solid if its triangles of positive area (zero-area ones bound nothing and are left out)
 //
@@ -116,14 +117,14 @@ class ECODS_API MeshShape : public Shape {
 //  - are free of self-intersection: no two of them share a segment or more, except along a side of both. Contacts at
 //    isolated points (a vertex on a face, an edge across an edge) are harmless.
 //
-// Both are decided exactly for the mesh's own coordinates. Corners with equal coordinates are one vertex (-0 equals 0).
-// The solid is the closure of the points from which a ray crosses the surface an odd number of times. So the
+// Both conditions are decided exactly for the mesh's own coordinates. Corners with equal coordinates are one vertex (-0
+// equals 0). The solid is the closure of the points from which a ray crosses the surface an odd number of times. So the
 // orientation of triangles does not matter, and cavities and several shells are allowed. If all triangles have zero
 // area, the mesh bounds nothing, and is no solid.
 //
 // Cost: that of check_solid at once; some passes over the triangles at the first relation(). Memory: that of a
-// MeshShape, and about 30 bytes a triangle. A second mesh is stored inside if corners with equal coordinates have
-// different indices, triangles have zero area, or a vertex lies inside an edge: this mesh has none of these.
+// MeshShape, and about 30 bytes a triangle. If corners with equal coordinates have different indices, triangles have
+// zero area, or a vertex lies inside an edge, a second mesh without these is stored inside.
 class ECODS_API Solid : public MeshShape {
   public:
     // Throws InvalidArgument for a null mesh, or NotSolid.
@@ -140,14 +141,14 @@ class ECODS_API Solid : public MeshShape {
     std::unique_ptr<Parts> solid_parts_;
 };
 
-// Returns the surface of the solid as a shape of its own: all triangles of its mesh. It shares the solid's mesh and
-// tree, and is the same object each time.
+// Returns the surface of the solid as a shape of its own: all triangles of its mesh. The surface shares the solid's
+// mesh and tree, and is the same object each time.
 [[nodiscard]] ECODS_API std::shared_ptr<const MeshShape> surface_of(const Solid& solid);
 
 // Throws NotSolid unless the mesh bounds a solid. The error names an open edge or, if the mesh is closed, two triangles
 // that intersect. If there are several defects, it names the first: edges by triangle and corner, or the least pair of
-// triangles. Cost: about that of the mesh's tree, which it makes, and of sorting vertices and edges. No tree is made if
-// all of the surface is visible from the middle of its corners, as that of nearly every convex body is.
+// triangles. Cost: about that of building the mesh's tree, and of sorting vertices and edges. No tree is built if all
+// of the surface is visible from the mean of its corners, as it is for nearly every convex body.
 ECODS_API void check_solid(const Mesh& mesh);
 
 // Returns every pair of triangles that share a segment or more which is not a side of both, ascending, with the lesser
@@ -156,21 +157,21 @@ ECODS_API void check_solid(const Mesh& mesh);
 [[nodiscard]] ECODS_API std::vector<TrianglePair> self_intersections(const Mesh& mesh);
 
 // A ConvexSolid is a mesh that bounds a convex solid, or covers a flat one: a convex polygon, a segment or a point. The
-// distance of two convex solids is found by a search of its own, faster than that of their triangles; and two of them
+// distance of two convex solids is found by a search of its own, faster than the search of triangles; and two of them
 // have a depth (solid.hpp).
 //
-// A mesh covers a convex polygon if its triangles of positive area tile one edge to edge, however they are turned: each
-// of their sides is a side of exactly one other triangle, or lies on the border. Triangles of zero area are left out. A
+// A mesh covers a convex polygon if its triangles of positive area, in any orientation, tile one edge to edge: each of
+// their sides is a side of exactly one other triangle, or lies on the border. Triangles of zero area are left out. A
 // mesh without a triangle of positive area covers a segment, if its triangles are pieces of the segment that leave no
-// gap, or a point. Both are decided exactly; other meshes in one plane are no convex solids.
+// gap, or a point. Both cases are decided exactly; other meshes in one plane are no convex solids.
 //
-// A flat solid has no inner points. In every question it is the closed set: a body inside it shares points with it, and
-// is in it. In solids it is as a surface is: inside, touching, also in a face, or crossing, and never overlapping. Its
-// relation to another flat one or to a surface is that of two triangles, as if the polygon was one triangle; at a
+// A flat solid has no inner points. In every question it is the closed set: a body inside it shares points with it. Its
+// relation to a solid is that of a surface: inside, touching, also in a face, or crossing, and never overlapping. Its
+// relation to another flat solid or to a surface is that of two triangles, as if the polygon was one triangle; at a
 // singular pose, that of its triangles.
 //
-// Cost: that of Solid, and an exact sign for each edge. Memory: that of a Solid, about 200 bytes a vertex of the set,
-// and 4 bytes a vertex of the mesh.
+// Cost: that of Solid, and an exact sign for each edge. Memory: that of a Solid, about 200 bytes for each vertex of the
+// set, and 4 bytes for each vertex of the mesh.
 class ECODS_API ConvexSolid final : public Solid {
   public:
     // Throws InvalidArgument for a null mesh; NotSolid, which names a dent if the mesh has one, or an open edge if it
@@ -191,11 +192,12 @@ class ECODS_API ConvexSolid final : public Solid {
 };
 
 // Returns the convex hull of the points. Its vertices are the points that are no convex combination of others, in the
-// order given; of equal points the first. Its triangles fan out from the least vertex of each face. They are turned
-// outwards, and ascending by their vertices. Exact: no point is outside. If all points lie in one plane, the hull is a
-// polygon, whose normal's first coordinate that is not zero is positive; a segment, the triangle {0, 1, 1}; or a point,
-// {0, 0, 0}. Throws InvalidMesh, which names the index of a point that is not finite, or says that points are too many;
-// NotSolid if there are no points. Cost: n log n for most points; n f, of f faces, at worst.
+// order given; of equal points, the first. The triangles of each face form a fan from its least vertex. They face
+// outwards, and are sorted by their vertices. The hull is exact: no point is outside. If all points lie in one plane,
+// the hull is a polygon, whose normal's first coordinate that is not zero is positive; or a segment, the triangle {0,
+// 1, 1}; or a point, {0, 0, 0}. Throws InvalidMesh, which names the index of a point that is not finite, or says that
+// there are too many points; NotSolid if there are no points. Cost: n log n for most points; n f, for f faces, at
+// worst.
 [[nodiscard]] ECODS_API std::shared_ptr<const Mesh> convex_hull(std::span<const Vec3> points);
 
 }  // namespace ecods

@@ -1,10 +1,10 @@
-// Questions that only solids have: where a point is, how deep two solids are in each other, and their signed distance.
+// Only solids have these questions: where a point is, how deep two solids are in each other, and their signed distance.
 // All other questions take solids, too (intersection.hpp, distance.hpp, hit.hpp, cast.hpp). No World is needed.
 //
 //     Solid hall{hall_mesh};
 //     locate(Vec3(0, 0, 1), {hall, Pose{}}).side == Side::inside
 //
-// shape.hpp says which meshes bound a solid. A posed solid is the image of the set, R v + t. If R is singular, the
+// shape.hpp says which meshes bound a solid. A posed solid is the image of the set under R v + t. If R is singular, the
 // image is flat and has no interior: it is the image of the surface. A flat convex solid has no interior at any pose,
 // and at a singular pose is the image of its triangles.
 //
@@ -29,24 +29,26 @@ namespace ecods {
 
 // ---- solids of any form
 
-// Returns whether the point is inside, outside or on the surface; under a singular pose, or of a flat solid, outside or
-// on; all of a flat solid is its surface. Throws InvalidArgument unless the point is finite. Cost: a walk of the tree
-// along a ray. (CGAL: side_of_triangle_mesh; trimesh: contains.)
+// Returns whether the point is inside, outside or on the surface. A solid under a singular pose, and a flat solid, has
+// no inside; all of a flat solid is its surface. Throws InvalidArgument unless the point is finite. Cost: a walk of the
+// tree along a ray. (CGAL: side_of_triangle_mesh; trimesh: contains.)
 [[nodiscard]] ECODS_API Location locate(const Vec3& point, const Posed<Solid>& solid, const Ask& ask = {});
-// Returns locate() of each point, in their order. The error's `index` says which point is not finite.
+// Returns locate() of each point, in the order of the points. The error's `index` says which point is not finite.
 [[nodiscard]] ECODS_API std::vector<Location> locate(std::span<const Vec3> points, const Posed<Solid>& solid,
                                                      const Ask& ask = {});
 
-// Proven bounds of the depth of two solids, convex or not. The depth is the length of the shortest translation of one
-// of them after which their interiors share no point; of convex solids of which one is flat, that of depth().
+// DepthBounds are proven bounds of the depth of two solids, convex or not. The depth is the length of the shortest
+// translation of one of them after which their interiors share no point; for convex solids of which one is flat, it is
+// that of depth().
 //
-// Upper bound: if `parted` replaces its pose's translation, b shares no inner point with a, as relation() says (with a
-// flat solid, depth() is 0 or nothing), and `upper` is |parted - b.pose.t|, rounded up. Lower bound: from a ball in
-// each solid, so that after a shorter translation their interiors still meet; for convex solids, depth() rounded down.
-// Both are 0 if the solids touch. Both bounds hold; how narrow they are is not promised, and may differ between
-// versions. Along each direction that is tried, `upper` is the length of the way out to some 2^-46 of it, and to 2^-48
-// of the smaller solid's size, however large the other one is. `parted` consists of doubles: if their spacing at the
-// pose's translation exceeds the depth, so does `upper`; it is infinite if no such translation parts the solids.
+// Upper bound: `parted` is a translation. If it replaces that of b's pose, b shares no inner point with a, as
+// relation() says (with a flat solid, depth() is 0 or nothing); `upper` is |parted - b.pose.t|, rounded up. Lower
+// bound: a ball inside each solid, since after a shorter translation the balls' interiors still meet; for convex
+// solids, depth() rounded down. Both are 0 if the solids touch. Both bounds hold; how narrow they are is not promised,
+// and may differ between versions. Along each direction that is tried, `upper` exceeds the length of the way out by at
+// most about 2^-46 of it, and 2^-48 of the smaller solid's size, however large the other one is. `parted` consists of
+// doubles: if their spacing at the pose's translation exceeds the depth, so does `upper`; it is infinite if no such
+// translation parts the solids.
 struct DepthBounds {
     double lower = 0;
     double upper = 0;
@@ -55,7 +57,7 @@ struct DepthBounds {
 
 // Returns proven bounds of the depth of two solids, convex or not; nullopt if they share no point. Throws SingularPose.
 // Cost: some tens of relation(), of casts and of distances; for convex solids that of depth() and one or two of
-// relation(). A flat solid and one that is not convex have no inner points in common: both bounds are 0.
+// relation(). A flat solid and a solid that is not convex have no inner points in common: both bounds are 0.
 [[nodiscard]] ECODS_API std::optional<DepthBounds> depth_bounds(const Posed<Solid>& a, const Posed<Solid>& b,
                                                                 const Ask& ask = {});
 
@@ -70,32 +72,33 @@ struct DepthBounds {
 //
 // Method: for distances, the search of Gilbert, Johnson and Keerthi (A fast procedure for computing the distance
 // between complex objects, 1988) in doubles guesses the closest features. The signs of a few determinants prove the
-// guess, since a point of a convex set that is closest among its neighbors is closest of all; if they do not, exact
-// steps continue from there. For depths, a polytope inside the set of differences { p - q : p in a, q in b } grows
-// toward the faces that are nearest to the origin (van den Bergen, Proximity Queries and Penetration Depth Computation
-// on 3D Game Objects, 2001), in doubles. Exact signs prove that these are faces of the set, and no other is nearer.
+// guess, since a point of a convex set that is closest among its neighbors is closest of all; if the signs do not prove
+// it, exact steps continue from there. For depths, a polytope inside the set of differences { p - q : p in a, q in b }
+// grows toward the faces that are nearest to the origin (van den Bergen, Proximity Queries and Penetration Depth
+// Computation on 3D Game Objects, 2001), in doubles. Exact signs prove that these are faces of the set, and that no
+// other face is nearer.
 
 // Returns the depth: the length of the shortest translation of b after which the interiors share no point, and its
-// direction. Flat solids have no interiors: with one of them, the translation after which a plane has each solid on one
-// side, the plane included. This is the same for solids that are not flat. So a rod that goes through a plate leaves it
-// along or across itself, and the depth of sets in one plane is 0. Returns nullopt if the solids share no point
-// (distance() says how far they are). signed_distance() also has the points that this translation brings together.
-// Starts from a witness, and leaves one. Throws SingularPose. Cost: some microseconds for solids of some tens of faces;
-// some tens of microseconds for ten thousand vertices.
+// direction. For a flat solid, which has no interior, it is the shortest translation after which a plane, closed half
+// spaces counted, has one solid on each side; solids that are not flat have the same depth by this definition. So a rod
+// that goes through a plate leaves it along or across itself, and the depth of sets in one plane is 0. Returns nullopt
+// if the solids share no point (distance() says how far they are). signed_distance() also has the points that this
+// translation brings together. Starts from a witness, and leaves one. Throws SingularPose. Cost: some microseconds for
+// solids of some tens of faces; some tens of microseconds for ten thousand vertices.
 [[nodiscard]] ECODS_API std::optional<Depth> depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                                    const Ask& ask = {});
 
-// The signed distance of two convex solids, of two rounded bodies (rounded.hpp), or of a body and a half space
-// (half_space.hpp), and where it is: the distance of solids that share no point; otherwise minus the depth. It is 0
-// exactly if the solids touch: any other number is at least 2^-1074 in magnitude.
+// A SignedDistance is the signed distance of two convex solids, of two rounded bodies (rounded.hpp), or of a body and a
+// half space (half_space.hpp), and where it is attained. It is the distance of solids that share no point; otherwise
+// minus the depth. It is 0 exactly if the solids touch: any other number is at least 2^-1074 in magnitude.
 //
 // Let n be the unit vector `direction`, and d the signed distance, as real numbers. Then point_b - point_a = d n. If d
 // is positive, the points are the closest points, and n is the direction from point_a to point_b. Otherwise n is the
 // direction of Depth, and translating b by -d n = point_a - point_b, the shortest translation after which the interiors
 // share no point, brings the points together. If the solids touch, both points are one point that they share.
 //
-// The kind and the features are as in ClosestPoints: point_a is inside feature a, and point_b inside feature b. Of
-// several pairs that have the same difference, in a common face for example, the first is given by the order of
+// The kind and the features are as in ClosestPoints: point_a is inside feature a, and point_b inside feature b. If
+// several pairs of features have the same difference, for example in a common face, the first is given by the order of
 // ClosestPoints. Exchanging the solids exchanges a and b and turns n around, unless several directions of Depth tie, or
 // several pairs of features.
 struct SignedDistance {
@@ -108,7 +111,7 @@ struct SignedDistance {
     friend bool operator==(const SignedDistance&, const SignedDistance&) = default;
 };
 
-// Returns the signed distance, the points and the direction, of flat solids, too. signed_distance_bounds()
+// Returns the signed distance, the points and the direction; flat solids are allowed, too. signed_distance_bounds()
 // (distance.hpp) takes meshes and solids of any form. Starts from a witness, and leaves one. Throws SingularPose. Cost:
 // that of closest(), or that of distance(), depth() and, for the points, about one microsecond. (FCL, Coal:
 // DistanceResult with enable_signed_distance; Bullet: btManifoldPoint.)

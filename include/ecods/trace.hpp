@@ -71,31 +71,31 @@
 namespace ecods {
 
 struct ReplayOptions {
-    std::optional<BroadPhaseKind> broad_phase = {};  // used instead of the trace's
+    std::optional<BroadPhaseKind> broad_phase = {};  // used instead of the trace's, if set
     std::shared_ptr<Executor> executor = nullptr;
     bool checks_invariants = false;  // if true, calls World::check_invariants() after each update
 
-    // If set, called for the new world, for example to register the caller's own tests.
+    // If set, is called with the new world, for example to register the caller's own tests.
     std::function<void(World&)> set_up = nullptr;
 
-    // If set, called after each update that went as recorded, for example to ask about the lists. May throw, which ends
-    // the replay.
+    // If set, is called after each update that gave the recorded result, for example to ask about the lists. It may
+    // throw, which ends the replay.
     std::function<void(const World&)> updated = nullptr;
 
-    // Makes a shape from the text that TraceOptions::write_shape returned. May throw.
+    // Makes a shape from the text that TraceOptions::write_shape returned. It may throw.
     std::function<std::shared_ptr<const Shape>(ShapeKind, std::string_view)> read_shape = nullptr;
 };
 
 struct ReplayReport {
-    // The first difference from the trace.
+    // A Difference is the first place where the replay differs from the trace.
     struct Difference {
-        std::size_t update;  // from 0: the update that differs, or that would have been next
+        std::size_t update;  // from 0: the update that differs, or the next one
         std::size_t call;    // from 0
         std::size_t line;    // from 1
         std::string what;
     };
 
-    // Counts of what was run: all of the trace, or the part up to the difference.
+    // These count the calls that were run: those of the whole trace, or of the part up to the difference.
     std::size_t call_count = 0;
     std::size_t update_count = 0;
     std::size_t question_count = 0;
@@ -104,10 +104,10 @@ struct ReplayReport {
     std::optional<Difference> difference = {};
 };
 
-// Runs a trace until its end, or until something differs: the id of a new body (only in a trace that began with an
-// empty world), the digest or the number of colliding pairs after an update, events that are not the difference of the
-// lists before and after, the answer to a question (in the same traces only), or a broken invariant. An update that has
-// no result, or failed, is run but not compared.
+// Runs a trace until its end, or until the first difference. A difference is another id of a new body (only in a trace
+// that began with an empty world), another digest or number of colliding pairs after an update, events that are not the
+// difference of the lists before and after, another answer to a question (in the same traces only), or a broken
+// invariant. An update that has no result, or failed, is run but not compared.
 //
 // Throws InvalidTrace if the text is no trace, or if a call in it is refused; NotSupported for a caller's own shape
 // without a reader; ExecutorFailed as World::update does. Whatever the text is, memory and time are proportional to its

@@ -15,11 +15,11 @@
 
 namespace ecods {
 
-// Answers questions about two shapes of one pair of kinds. A World calls it only for candidate pairs, with the shape of
-// the first kind first. Answers must depend on the shapes and poses alone: a verdict is kept while neither body
-// changes. In `ask` a World always gives a memory, and the witness that the last call for the pair left, if it stores
-// one; no answer may depend on them. A test that asks the World a question passes this memory on: without a memory, a
-// question that the executor runs waits until the call that runs the test is over, and so for ever.
+// Answers questions about two shapes of one pair of kinds. A World calls a test only for candidate pairs, with the
+// shape of the first kind first. Answers must depend on the shapes and poses alone: a verdict is kept while neither
+// body changes. In `ask` a World always gives a memory, and the witness that the last call for the pair left, if it
+// stores one; no answer may depend on them. A test that asks a World a question must pass this memory on: without a
+// memory, the executor runs the question after the call that runs the test, so the test would wait for ever.
 class ECODS_API TwoBodyTest {
   public:
     virtual ~TwoBodyTest() = default;
@@ -27,11 +27,11 @@ class ECODS_API TwoBodyTest {
     // Returns true if the shapes share a point.
     virtual bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const = 0;
 
-    // Optional questions: a test overrides those that it answers, and says so by answers(). The others throw
-    // NotSupported, with the kinds and the question; so does World if it is asked one of them. If World asks about many
-    // pairs (set_clearance, nearest, closest_pair, cast, meetings), it refuses a test that does not answer before it
-    // asks any.
-    virtual bool answers(Question question) const noexcept;  // the default answers none
+    // The following questions are optional: a test overrides those that it answers, and answers() returns true for
+    // them. The others throw NotSupported, with the kinds and the question; a World that is asked one of them throws
+    // it, too. If a World asks about many pairs (set_clearance, nearest, closest_pair, cast, meetings), it refuses a
+    // test that does not answer before it asks any.
+    virtual bool answers(Question question) const noexcept;  // by default: none
 
     // Returns apart exactly if intersects() is false.
     virtual Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const;
@@ -54,10 +54,10 @@ class ECODS_API TwoBodyTest {
     virtual std::vector<CloseFeatures> close_features(const Posed<Shape>& a, const Posed<Shape>& b, double max_distance,
                                                       const Ask& ask) const;
 
-    // Return the first contact of a, translated by time times `motion`, with b; and the first contact of two shapes
-    // that each move from one pose to another (cast.hpp). Return nullopt if the real time is above max_time, which is
-    // from 0 to 1. The time is 0 exactly if intersects() is true at the start. If the shape that a World moves is of
-    // the second kind, the other shape is moved here, by -motion.
+    // Return the first contact of a, translated by time times `motion`, with b; or of two shapes that each move from
+    // one pose to another (cast.hpp). Return nullopt if the real time is above max_time, which is from 0 to 1. The time
+    // is 0 exactly if intersects() is true at the start. If the shape that a World moves is of the second kind, `a` is
+    // the other shape, moved by -motion.
     virtual std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b,
                                              double max_time, const Ask& ask) const;
     virtual std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,

@@ -1,4 +1,4 @@
-// Defines options of a World, of its bodies and of its trace, and the subjects of its questions (world.hpp).
+// Options configure a World, its bodies and its trace; an Asked is the subject of a question to a World (world.hpp).
 //
 // Example: verify/examples/how_do_i, mesh_that_is_no_body().
 #pragma once
@@ -22,8 +22,8 @@
 
 namespace ecods {
 
-// Gives the library the caller's threads by two functions: a thread pool, a task system or OpenMP fits in a few lines.
-// The library starts no thread. Between two calls of the library, an executor may serve other users.
+// An Executor gives the library the caller's threads by two functions: a thread pool, a task system or OpenMP fits in a
+// few lines. The library starts no thread. Between two calls of the library, an executor may serve other users.
 class ECODS_API Executor {
   public:
     virtual ~Executor() = default;
@@ -41,15 +41,15 @@ class ECODS_API Executor {
 struct WorldOptions {
     BroadPhaseKind broad_phase = BroadPhaseKind::automatic;
 
-    // Runs the two-body tests of update(), closest_pairs(), depths() and signed_distances(); null: the calling thread
-    // runs them. Answers, lists, events, digests and counts are the same for any executor and number of workers.
-    // Several threads may call a caller's own tests at the same time, each with its own QueryMemory. The calling thread
-    // answers questions about a pair.
+    // Runs the two-body tests of update(), closest_pairs(), depths() and signed_distances(). If it is null, the calling
+    // thread runs them. Answers, lists, events, digests and counts are the same for any executor and number of workers.
+    // Several threads may call a caller's own tests at the same time, each with its own QueryMemory. Questions about
+    // one pair run in the calling thread.
     std::shared_ptr<Executor> executor = nullptr;
 
-    // The ids of the first bodies, in this order; later bodies get ids that no body had. To make a copy of another
-    // world in which every id, valid or stale, means the same, pass its World::bodies() followed by its
-    // World::next_ids(). The two worlds then cannot distinguish each other's ids from their own. Empty: new ids.
+    // Lists the ids of the first bodies, in order; later bodies get ids that no body had. Empty: all ids are new. To
+    // make a copy of another world in which every id, valid or stale, means the same, pass its World::bodies() followed
+    // by its World::next_ids(). The two worlds then cannot distinguish each other's ids from their own.
     //
     // World() throws StaleBody, with the index of the entry, for a null id, for a second id of a slot, and for an id of
     // another world than the first id's. Memory: proportional to the greatest slot.
@@ -65,7 +65,7 @@ struct BodyOptions {
     std::uint64_t user_data = 0;
 };
 
-// The subject of a question to a World: one of its bodies, a shape at a pose, or a mesh at a pose.
+// An Asked is the subject of a question to a World: one of its bodies, a shape at a pose, or a mesh at a pose.
 //
 //     world.nearest(body);
 //     world.nearest({shape, pose});
@@ -73,8 +73,9 @@ struct BodyOptions {
 //     world.nearest({{mesh, pose}, filter});
 //
 // If the subject is a body, bodies whose pair with it is filtered out are skipped. Otherwise no body is skipped, unless
-// the subject has a filter of its own. A Mesh that no body has gets a new tree each time; to ask with it again, keep a
-// MeshShape. A shape given by reference must outlive the Asked; a shape given by shared pointer is kept alive.
+// the subject has a filter of its own. If no body has the Mesh, each question builds a new tree; to ask again with the
+// same mesh, keep a MeshShape. A shape given by reference must outlive the Asked; a shape given by shared pointer is
+// kept alive.
 class Asked {
   public:
     struct MeshAt {
@@ -103,12 +104,12 @@ class Asked {
 
 struct TraceOptions {
     // Writes a caller's own shape as one line, from which ReplayOptions::read_shape makes it again. If there is no such
-    // function, or it returns more than a line, a call that brings in such a shape throws NotSupported.
+    // function, or it returns more than a line, a call that adds such a shape throws NotSupported.
     std::function<std::string(const Shape&)> write_shape = nullptr;
 
-    // True to write questions, too (trace.hpp names them), if the caller gives no memory; for nearest() and cast(),
-    // only if the subject is a body without a filter. A question that throws is not written. A replay asks them again
-    // and compares the answers.
+    // If true, questions are written, too (trace.hpp names them), unless the caller gives a memory; nearest() and
+    // cast() are written only if the subject is a body without a filter. A question that throws is not written. A
+    // replay asks the questions again and compares the answers.
     bool questions = false;
 };
 
