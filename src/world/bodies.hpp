@@ -1,5 +1,5 @@
-// The class Bodies stores the bodies of a world in slots, with everything that the caller set for each body. The boxes
-// of the bodies are not here: the overlap tracker stores them.
+// Stores the bodies of a world in slots, with everything that the caller set for each body. The boxes of the bodies are
+// not here: the overlap tracker stores them.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace ecods {
 
-// True if a shape of this kind is a Rounded: World takes no other one (require_own_kind).
+// Returns true if a shape of this kind is a Rounded: World refuses any other shape of these kinds (require_own_kind).
 constexpr bool is_rounded(ShapeKind kind) noexcept {
     return kind == ShapeKind::rounded() || kind == ShapeKind::rounded_convex();
 }
@@ -44,7 +44,7 @@ struct Slot {
     Posed<Shape> posed() const noexcept { return {*shape, pose}; }
     void put(std::shared_ptr<const Shape> new_shape) noexcept;
 
-    // Return the shape as a Solid, as a ConvexSolid and as a Rounded; null if the shape is none.
+    // Return the shape as a Solid, as a ConvexSolid or as a Rounded; null if it is not one.
     const Solid* solid() const noexcept {
         return form != MeshForm::surface ? static_cast<const Solid*>(shape.get()) : nullptr;
     }
@@ -101,7 +101,7 @@ class Bodies {
 
     // ---- creation, change and destruction: call what may throw first, then the noexcept functions
     void reserve(std::size_t count);
-    ProxyIndex make_slot(ShapeKind kind);  // returns the free slot that create() will take, for a body of this kind
+    ProxyIndex make_slot(ShapeKind kind);  // returns the free slot that create() will fill, for a body of this kind
     void trim() noexcept;                  // frees spare memory if the number of slots has grown by an eighth
     void create(const BodyOptions& options, std::shared_ptr<const Shape> shape) noexcept;
     void make_room_for(ShapeKind kind) { kind_counts_[kind]; }  // must be called before set_shape()
@@ -130,7 +130,7 @@ class Bodies {
     // answer it. Cost: constant if all answer it, otherwise one pass over the slots.
     std::optional<ShapeKind> kind_without_hits() const noexcept;
 
-    // True if the world has a pair of distinct living bodies, one of kind a and one of kind b.
+    // Returns true if there are two distinct living bodies, one of kind a and one of kind b.
     bool has_pair_of(ShapeKind a, ShapeKind b) const;
 
     std::size_t memory_bytes() const noexcept;
@@ -156,8 +156,8 @@ class Bodies {
     std::size_t reserved_ = 0;
     std::size_t trimmed_size_ = 0;                  // number of slots when they were last trimmed
     std::size_t retired_count_ = 0;                 // slots whose generations are used up: neither free nor used
-    std::map<ShapeKind, std::size_t> kind_counts_;  // of living bodies
-    std::size_t without_hits_count_ = 0;            // of living bodies
+    std::map<ShapeKind, std::size_t> kind_counts_;  // number of living bodies of each kind
+    std::size_t without_hits_count_ = 0;            // number of living bodies whose shapes do not answer Question::hits
     std::size_t solid_count_ = 0;
     DisabledPairs disabled_;
 };

@@ -6,8 +6,8 @@
 
 namespace ecods {
 
-// CachedPairs reads the pairs of the last update from the cache, so the cache must have taken over all events that the
-// finder has reported.
+// CachedPairs reads the pairs of the last update from the cache. Before it is used, the cache must have applied all
+// events that the finder has reported.
 class CachedPairs final : public PairKeeper {
   public:
     explicit CachedPairs(const VerdictCache& cache) : cache_(cache) {}

@@ -13,7 +13,8 @@
 
 namespace ecods {
 
-// Says what happened to a body since the last update. If several changes happened to one body, the greatest is stored.
+// A Change says what happened to a body since the last update. If several changes happened to one body, the greatest is
+// stored.
 enum class Change : std::uint8_t {
     none = 0,
     filter = 1,  // only its collision filter changed: verdicts of its pairs hold unless their filtering changed
@@ -23,7 +24,7 @@ enum class Change : std::uint8_t {
 
 class Changes {
   public:
-    // ---- functions that reserve memory, to be called before a change that must not fail
+    // ---- functions that reserve memory; call them before a change that must not fail
     void reserve(std::size_t body_count) {
         changes_.reserve(body_count);
         changed_.reserve(body_count);
@@ -62,7 +63,7 @@ class Changes {
     }
     std::span<const ProxyPair> switched() const noexcept { return switched_; }
 
-    // Forgets all changes. To be called after an update that succeeded.
+    // Forgets all changes. Call it after an update that succeeded.
     void clear() noexcept {
         for (const ProxyIndex proxy : changed_) changes_[proxy] = Change::none;
         changed_.clear();

@@ -16,8 +16,8 @@ void Closeness::follow(const OverlapTracker& boxes, const Bodies& bodies, Change
     for (const VerdictIndex index : pairs_.tests()) test_count_ += pairs_.verdicts()[index].answer == Answer::none;
 }
 
-// Gives each changed body its enlarged box in tracker_; gives all bodies theirs if the clearance changed. Any earlier
-// state of a box is overwritten, so an update that failed half-way need not be undone.
+// Puts the enlarged box of each changed body into tracker_; if the clearance changed, the enlarged boxes of all bodies.
+// A box is always overwritten, so an update that failed half-way need not be undone.
 void Closeness::follow_boxes(const OverlapTracker& boxes, const Bodies& bodies, const Changes& changes) {
     if (!tracker_) tracker_.emplace(kind_);
     generations_.resize(bodies.end());
@@ -48,9 +48,9 @@ void Closeness::follow_box(ProxyIndex proxy, const OverlapTracker& boxes, const 
     generations_[proxy] = slot.generation;
 }
 
-// Sets the answer `yes` for each pair that this update has found to collide, so that it is not tested for closeness. A
-// pair that collides and was not tested in this update keeps its cached verdict. If the clearance has changed, such a
-// pair is tested again, at little cost because its witness is tried first.
+// Sets the answer `yes` for each pair that this update has found to collide, so that the pair is not tested for
+// closeness. A pair that collides and was not tested in this update keeps its cached verdict; but if the clearance has
+// changed, it is tested again, at little cost because its witness is tried first.
 void Closeness::take_collisions(const PairVerdicts& collisions) {
     for (const VerdictIndex index : collisions.tests()) {
         const Verdict& verdict = collisions.verdicts()[index];

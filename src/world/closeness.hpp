@@ -44,7 +44,8 @@ class Closeness {
     // Returns the clearance of the last update, with which the lists were made.
     std::optional<double> listed() const noexcept { return listed_; }
 
-    // True if the clearance is that of the last update: if no body has changed either, an update has nothing to do.
+    // Returns true if the clearance is that of the last update. If no body has changed either, an update has nothing to
+    // do.
     bool is_up_to_date() const noexcept { return is_same_clearance(wanted_, listed_); }
 
     // Finds the pairs to be tested for being within the clearance. Pairs that `collisions` has found to collide in the
@@ -74,7 +75,7 @@ class Closeness {
 
     BroadPhaseKind kind_;
     std::optional<double> wanted_, listed_;
-    std::optional<double> reached_;  // clearance by which tracker_'s boxes are enlarged; empty while they change
+    std::optional<double> reached_;           // clearance of tracker_'s boxes; empty while they are being changed
     std::optional<OverlapTracker> tracker_;   // empty until an update has a clearance
     std::vector<std::uint16_t> generations_;  // by proxy: generation of the body whose enlarged box tracker_ has
     PairVerdicts pairs_;

@@ -14,7 +14,7 @@
 
 namespace ecods {
 
-// The groups of the bodies of a pair, in any order of the two.
+// A GroupPair is the groups of the two bodies of a pair, in either order.
 struct GroupPair {
     static constexpr std::uint64_t all = ~std::uint64_t{0};
 
@@ -26,8 +26,8 @@ struct GroupPair {
     }
 };
 
-// Holds witnesses of pairs, and the pairs that were the closest. No answer depends on what is in it: pairs of different
-// worlds may share a place, and the last one stays.
+// Holds witnesses of pairs, and the last closest pairs. No answer depends on its content: pairs of different worlds may
+// share an entry, and the later one overwrites the other.
 class ClosestMemory final : public QueryMemoryPart {
   public:
     static ClosestMemory& of(QueryMemory& memory) {
@@ -38,10 +38,10 @@ class ClosestMemory final : public QueryMemoryPart {
         return witnesses_[combine(bodies.a.rank(), bodies.b.rank()) % witnesses_.size()];
     }
 
-    // Returns the pair that was the closest of these groups.
+    // Returns the entry for the pair that was the closest pair of these groups at the last call.
     BodyPair& last_of(const GroupPair& groups) noexcept { return last_[combine(groups.a, groups.b) % last_.size()]; }
 
-    // Two bodies, and a lower bound of their distance from their boxes.
+    // A Candidate is two bodies, and a lower bound of their distance, from their boxes.
     struct Candidate {
         double lower;
         ProxyPair pair;
@@ -50,8 +50,8 @@ class ClosestMemory final : public QueryMemoryPart {
         std::vector<ProxyIndex> members_a, members_b;  // the bodies of both groups
         std::vector<Candidate> candidates;
     };
-    // Scratch. A question takes it, and gives it back at its end: a two-body test of the caller's may ask another world
-    // meanwhile, in the same memory.
+    // Scratch lists. A question moves them out, and back at its end, because a caller's two-body test may meanwhile ask
+    // another world in the same memory.
     Lists lists;
 
   private:

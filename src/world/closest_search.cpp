@@ -5,9 +5,9 @@
 
 namespace ecods {
 
-// If no distance >= 0 can win, only pairs that share inner points can: their depth is compared with a bound from their
-// boxes, then found. A signed distance is found with its points, which cost little more; other points are found at the
-// end, for the pair that has won.
+// If `reach` is empty, a pair with a distance >= 0 cannot win, and a pair is asked only if it has a signed distance and
+// a bound from the boxes allows its depth to win. A signed distance is computed with its points, which cost little
+// more. All other points are computed at the end, only for the pair that has won.
 double ClosestSearch::offer(ProxyPair pair) {
     if (least_.has_name() && least_.name() == pair) return bound();
     const PairQuestion asked(bodies_, tests_, pair);

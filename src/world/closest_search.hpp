@@ -1,4 +1,5 @@
-// Keeps the closest of the pairs that are offered to it, and asks only those that may be closer.
+// ClosestSearch keeps the closest of the pairs that are offered to it. It asks the two-body test only for pairs that
+// may be closer.
 #pragma once
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace ecods {
 
 class ClosestSearch {
   public:
-    // All that is passed must outlive this object. `limit` is >= 0, or infinity.
+    // All arguments must outlive this object. `limit` is >= 0, or infinity.
     ClosestSearch(const Bodies& bodies, const TwoBodyTests& tests, const OverlapTracker& boxes, double limit,
                   QueryMemory& memory)
         : bodies_(bodies),
@@ -28,11 +29,11 @@ class ClosestSearch {
     // Offers a pair that is not filtered out; a pair may be offered again. Returns bound().
     double offer(ProxyPair pair);
 
-    // True if a pair may win that has this lower bound of its distance, >= 0.
+    // Returns true if a pair whose distance has this lower bound (>= 0) may win.
     bool may_win(ProxyPair pair, double lower) const noexcept { return lower <= 0 || least_.may_win(pair, lower); }
 
-    // Returns an upper bound of the distances of boxes of later pairs that may win: if bodies share points, their boxes
-    // do.
+    // Returns an upper bound of the distance between the boxes of any later pair that may win. The bound is >= 0,
+    // because the boxes of bodies that share points share points, too.
     double bound() const noexcept { return positive_part(least_.bound()); }
 
     std::optional<ClosestPair> answer();
@@ -46,7 +47,7 @@ class ClosestSearch {
     QueryMemory& memory_;
     ClosestMemory& hints_;
     Least<ProxyPair> least_;
-    std::optional<ClosestPair> known_;  // the answer, if it was found with the distance
+    std::optional<ClosestPair> known_;  // the answer, if it was computed together with the distance
 };
 
 }  // namespace ecods

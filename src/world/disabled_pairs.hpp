@@ -17,7 +17,7 @@ class DisabledPairs {
     bool insert(ProxyPair pair);
     bool erase(ProxyPair pair) noexcept;
 
-    // True if the pair is switched off. The set is searched only if each of the two bodies is in a pair that is
+    // Returns true if the pair is switched off. The set is searched only if each of the two bodies is in a pair that is
     // switched off.
     bool contains(ProxyPair pair) const noexcept {
         return count_of(pair.a) != 0 && count_of(pair.b) != 0 && pairs_.contains({pair.a, pair.b});

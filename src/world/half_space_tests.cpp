@@ -14,7 +14,8 @@ Moving<Thing> as(const Moving<Shape>& moving) {
     return {static_cast<const Thing&>(*moving.what), moving.from, moving.to};
 }
 
-// Answers what a mesh and a half space have in common with two half spaces.
+// Answers the questions that meshes, rounded bodies and half spaces all have with a half space. `First` is the first
+// shape.
 template <class First>
 class HalfSpaceTest : public TwoBodyTest {
   public:
@@ -40,7 +41,7 @@ class HalfSpaceTest : public TwoBodyTest {
     }
 };
 
-// Answers what a mesh has in common with rounded bodies.
+// Adds `closest`, which meshes and rounded bodies have with a half space.
 template <class First>
 class BodyHalfSpaceTest : public HalfSpaceTest<First> {
   public:
@@ -52,7 +53,7 @@ class BodyHalfSpaceTest : public HalfSpaceTest<First> {
     }
 };
 
-// Adds the casts between poses, which rounded bodies have none of.
+// Adds casts between poses, which meshes and half spaces have and rounded bodies do not.
 template <class Base, class First>
 class MovingHalfSpaceTest final : public Base {
   public:

@@ -10,10 +10,10 @@
 namespace ecods {
 
 // Least keeps the candidate with the least number: a distance or a time. Distances may be signed; other numbers are >=
-// 0. A candidate can compute its number rounded to a double, and can decide whether the unrounded number is at most a
-// given double >= 0. `Name` is the id of a candidate (a body or a pair); among equal rounded numbers the least name
-// wins. Numbers are stored as integer keys, because a processor that flushes subnormal numbers compares them as equal
-// to zero.
+// 0. For each candidate, the caller can compute the number rounded to a double, and can decide whether the unrounded
+// number is at most a given double >= 0. `Name` is the id of a candidate (a body or a pair); among equal rounded
+// numbers the least name wins. Numbers are stored as integer keys, because a processor that flushes subnormal numbers
+// would compare them as equal to zero.
 template <class Name>
 class Least {
   public:
@@ -33,8 +33,8 @@ class Least {
         return double_of(wins_ties && number_ > 0 ? std::min(limit_, number_ + 1) : number_);
     }
 
-    // True if a candidate with this name may win whose unrounded number is at least `lower`. Rounded, that number is at
-    // least `lower`, too.
+    // Returns true if a candidate with this name, whose unrounded number is at least `lower`, may win. The rounded
+    // number is at least `lower`, too.
     bool may_win(const Name& name, double lower) const noexcept {
         const std::int64_t key = key_of(lower);
         if (!has_name_) return key <= limit_;

@@ -16,7 +16,7 @@ class MeshMeshTest final : public TwoBodyTest {
 
     bool answers(Question question) const noexcept override { return question != Question::hits; }
 
-    // Saves surfaces, the most frequent bodies, a copy of their poses.
+    // Asks about two surfaces, the most frequent bodies, without a copy of their poses.
     bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         if (is_of_surfaces_ || are_surfaces(*mesh_in(a), *mesh_in(b))) return surface::intersects(a, b, ask);
         return ecods::intersects(mesh_of(a), mesh_of(b), ask);

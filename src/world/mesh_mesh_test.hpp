@@ -1,4 +1,4 @@
-// Makes the two-body test of meshes, which every world has from the start.
+// Makes the two-body tests of meshes; every world has the first one from the start.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace ecods {
 
-// Both shapes given to the tests must be MeshShapes. The second test takes solids for their surfaces.
+// Both shapes given to the tests must be MeshShapes. The second test treats solids as their surfaces.
 std::shared_ptr<const TwoBodyTest> make_mesh_mesh_test();
 std::shared_ptr<const TwoBodyTest> make_surface_surface_test();
 

@@ -18,7 +18,7 @@ class MeshShapes {
 
   private:
     std::unordered_map<const Mesh*, std::weak_ptr<const MeshShape>> shapes_;
-    std::size_t size_max_ = 16;  // number of entries at which the entries of dead shapes are removed
+    std::size_t size_max_ = 16;  // when the map has this many entries, entries of dead shapes are removed
 };
 
 }  // namespace ecods

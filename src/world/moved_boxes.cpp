@@ -21,7 +21,7 @@ const MeshShape* as_own_mesh(const Shape& shape) {
 }  // namespace
 
 bool MovedBoxes::add(const Shape& shape, const Pose& pose, std::size_t index) {
-    // Hashes the address. The shifts drop its lowest bits, which hardly differ: shapes lie some hundred bytes apart.
+    // Hashes the address. The shifts drop its lowest bits, which hardly differ: shapes are some hundred bytes apart.
     const auto address = reinterpret_cast<std::uintptr_t>(&shape);
     Batch& batch = batches_[(address >> 4 ^ address >> 7) % batches_.size()];
     if (batch.shape != &shape) {

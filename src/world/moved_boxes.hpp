@@ -1,7 +1,7 @@
 // Computes the boxes of many bodies at new poses, eight at a time if bodies share a mesh.
 //
-// The calling thread does all the work. Using the executor was tried: for 4,096 to 65,536 bodies, two threads took 2 to
-// 16 ns a body longer than one thread. Eight boxes are computed sooner than their poses reach another core.
+// The calling thread does all the work. The executor was tried: for 4,096 to 65,536 bodies, two threads took 2 to 16 ns
+// a body longer than one thread, because eight boxes are computed sooner than their poses reach another core.
 #pragma once
 
 #include <array>

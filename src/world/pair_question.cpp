@@ -25,7 +25,8 @@ double PairQuestion::distance(const Ask& ask) const {
     return test_.ask(a_, b_, &TwoBodyTest::distance, ask);
 }
 
-// Asks for the closest points of convex solids first: no direction is then rounded, which costs as much as a point.
+// Tries the closest points of convex solids first. For solids that are apart, this saves rounding a direction, which
+// costs as much as a point and which the answer does not have.
 std::optional<ClosestPair> PairQuestion::find_signed(const Ask& ask) const {
     if (const auto convex = as_convex_solids(a_, b_)) {
         Asking asking(ask);

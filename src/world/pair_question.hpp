@@ -1,4 +1,5 @@
-// Asks how far two bodies of a world are from each other, with a sign where they have one.
+// PairQuestion asks how far two bodies of a world are from each other. The distance has a sign where ClosestPair says
+// so.
 #pragma once
 
 #include <optional>
@@ -17,13 +18,13 @@ class PairQuestion {
           b_(bodies[pair.b].posed()),
           test_(tests.find(bodies[pair.a].kind, bodies[pair.b].kind)) {}
 
-    // True if the distance is signed, as ClosestPair says.
+    // Returns true if the distance is signed, as ClosestPair says.
     bool is_signed() const;
 
-    // True if the real distance is at most max_distance, which is at least 0; infinity is allowed.
+    // Returns true if the real distance is at most max_distance, which is at least 0; infinity is allowed.
     bool is_within(double max_distance, const Ask& ask) const;
 
-    // Return the distance alone, and with all that ClosestPair has.
+    // Return the distance alone, or all members of ClosestPair.
     double distance(const Ask& ask) const;
     ClosestPair find(const Ask& ask) const;
 

@@ -10,7 +10,7 @@ void PairRelations::add_test(const Verdict& verdict, bool collides, const Bodies
     if (is_related) tests_.push_back({verdict.bodies, Relation::apart});
 }
 
-// Adds the pairs that the update did not look at: their last answer holds.
+// Adds the pairs that the update neither tested nor filtered out: their last verdict holds.
 void PairRelations::add_untouched(const Bodies& bodies, const VerdictCache& verdicts) {
     for (VerdictIndex index = 0; index < verdicts.size(); ++index) {
         const Verdict& verdict = verdicts[index];
@@ -32,8 +32,8 @@ void PairRelations::follow(const Bodies& bodies, const PairVerdicts& collisions)
     if (!are_listed_) add_untouched(bodies, collisions.verdicts());
 }
 
-// Keeps a listed pair if this update did not look at it and neither body changed: otherwise the pair is in tests_, is
-// filtered out or apart, or has ended.
+// Computes the next list. A listed pair stays if this update did not process it and neither body changed. Any other
+// listed pair is in tests_ again, or is filtered out, apart, or has ended.
 void PairRelations::prepare(const Changes& changes) {
     next_.clear();
     if (!are_wanted_) return;

@@ -18,25 +18,25 @@ namespace ecods {
 // the list stays as it was.
 class PairRelations {
   public:
-    // Sets whether updates make the list, from the next one on.
+    // Sets whether updates list the relations, from the next update on.
     void set(bool are_wanted) noexcept { are_wanted_ = are_wanted; }
     bool are_wanted() const noexcept { return are_wanted_; }
     bool are_listed() const noexcept { return are_listed_; }
 
-    // Makes the list that of version 1 of traces: pairs of solids alone, whether or not their surfaces share a point.
+    // Lists what version 1 of traces listed: pairs of solids alone, whether or not their surfaces share a point.
     void list_solids_alone() noexcept { is_of_solids_ = true; }
     bool is_of_solids() const noexcept { return is_of_solids_; }
 
-    // Returns the question that every test must answer; nothing if no list is wanted.
+    // Returns the question that every test must answer; nullopt if no list is wanted.
     std::optional<Question> question() const noexcept {
         return are_wanted_ ? std::optional(Question::relation) : std::nullopt;
     }
 
-    // True if an update before which no body changed has nothing to do.
+    // Returns true if an update before which no body changed has nothing to do.
     bool is_up_to_date() const noexcept { return are_wanted_ == are_listed_; }
 
-    // Finds the pairs to be related: those that `collisions` tested in the same update and that collide; if the list is
-    // new, all that collide. Call it after the tests have answers.
+    // Finds the pairs whose relation must be computed: the pairs that `collisions` tested in the same update and that
+    // collide; if the list is new, all pairs that collide. Call it after the tests have answers.
     void follow(const Bodies& bodies, const PairVerdicts& collisions);
     std::span<PairRelation> tests() noexcept { return tests_; }
 

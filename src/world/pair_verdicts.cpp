@@ -8,8 +8,8 @@
 
 namespace ecods {
 
-// Takes over the tracker's events twice: before its update the events that an earlier failed update left behind, and
-// after it the new ones.
+// Applies the tracker's events twice: before the tracker's update, the events that an earlier failed update left; after
+// it, the new events.
 void PairVerdicts::follow(OverlapTracker& tracker, const Bodies& bodies, std::uint64_t& visited_pairs) {
     const auto take_over_events = [&] {
         const PairEvents& events = tracker.events();
@@ -23,8 +23,8 @@ void PairVerdicts::follow(OverlapTracker& tracker, const Bodies& bodies, std::ui
     take_over_events();
 }
 
-// Applies the events. Ended pairs are removed before others begin: if a slot was given to another body, the same pair
-// of slots may both end and begin.
+// Applies the events. Pairs that ended are removed before others are added: if a slot was given to another body, the
+// same pair of slots may both end and begin.
 void PairVerdicts::take_over(const PairEvents& events, const Bodies& bodies) {
     verdicts_.reserve(verdicts_.size() + events.began.size(), bodies.end());
     make_room(lost_, events.ended.size());
@@ -37,9 +37,9 @@ void PairVerdicts::take_over(const PairEvents& events, const Bodies& bodies) {
     overlapping_is_stale_ |= !events.empty();
 }
 
-// Looks at each pair with a changed body once. (A pair that began has such a body.) If at least a quarter of the bodies
-// changed, it passes over all pairs in the order in which they are stored; otherwise it follows the list of pairs of
-// each changed body.
+// Collects each pair with a changed body once. (A pair that began has a changed body.) If at least a quarter of the
+// bodies changed, it passes over all pairs in the order in which they are stored; otherwise it follows the list of
+// pairs of each changed body.
 void PairVerdicts::collect(const Bodies& bodies, Changes& changes, bool all_are_void, std::uint64_t& visited_pairs) {
     tests_.clear();
     const auto collect_changed = [&](VerdictIndex index, ProxyPair pair) {
@@ -70,7 +70,8 @@ void PairVerdicts::collect(const Bodies& bodies, Changes& changes, bool all_are_
     }
 }
 
-// Adds the pair to tests_, unless it was filtered out and still is, or it was enabled, still is, and its verdict holds.
+// Adds the pair to tests_. Skips it if it was filtered out and still is, or if it was enabled, still is, and its
+// verdict holds.
 void PairVerdicts::collect_pair(VerdictIndex index, const Bodies& bodies, bool is_void) {
     const Verdict& verdict = verdicts_[index];
     const bool is_enabled = bodies.is_enabled(verdict.proxies());
@@ -89,8 +90,8 @@ void PairVerdicts::prepare() {
     }
     std::ranges::sort(next_began_);
     std::ranges::sort(next_ended_);
-    // If boxes parted and overlapped again while updates failed, their pair is in both lists, and its collision went
-    // on.
+    // If boxes parted and overlapped again while updates failed, their pair is in both lists; its collision never
+    // ended.
     cancel_common(next_began_, next_ended_);
     make_room(positive_, next_began_.size());
 }
@@ -135,7 +136,7 @@ const BodyPairs& PairVerdicts::overlapping() {
     return overlapping_;
 }
 
-// Lists the enabled pairs body by body: to sort many short lists is faster than to sort one long list.
+// Lists the enabled pairs body by body, because sorting many short lists is faster than sorting one long list.
 void PairVerdicts::list_overlapping(BodyPairs& list) const {
     list.clear();
     list.reserve(verdicts_.enabled_count());

@@ -1,6 +1,6 @@
 // Stores the pairs of bodies whose boxes overlap, each with its exact answer to one question, and the lists that follow
-// from the answers. For the bodies' own boxes the question is whether two bodies collide; for enlarged boxes, whether
-// two bodies are close.
+// from the answers. For the bodies' own boxes the question is whether the two bodies collide; for enlarged boxes,
+// whether they are close.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@
 namespace ecods {
 
 // An update calls follow() and collect(), sets the answer of each test whose answer is `none`, and then calls prepare()
-// and commit(). If one of these steps throws, the lists stay as they were; the next update continues with the pairs
-// that follow() had reached.
+// and commit(). If one of these steps throws, the lists stay as they were; the stored pairs stay as follow() left them,
+// and the next update continues from them.
 class PairVerdicts {
   public:
     void reserve_bodies(std::size_t count) { verdicts_.reserve(0, count); }
 
-    // Updates the tracker, and then adds and removes pairs until the stored pairs are those whose boxes overlap.
-    // Increments `visited_pairs` by the number of pairs that it looks at; so does collect().
+    // Updates the tracker, and then adds and removes pairs until the stored pairs are those whose boxes overlap. Adds
+    // to `visited_pairs` the number of pairs that it processes; so does collect().
     void follow(OverlapTracker& tracker, const Bodies& bodies, std::uint64_t& visited_pairs);
 
     // Sets tests() to the pairs that have a changed body or were switched on or off; to all pairs if `all_are_void`.
@@ -44,8 +44,8 @@ class PairVerdicts {
     // Replaces follow() to commit() in an update before which nothing changed.
     void clear_events() noexcept;
 
-    // Replaces follow() to commit() in an update that removes all pairs: reports that every positive pair ended, then
-    // removes all pairs.
+    // Replaces follow() to commit() in an update that removes all pairs: removes them, and reports that every positive
+    // pair ended.
     void end_all() noexcept;
 
     const VerdictCache& verdicts() const noexcept { return verdicts_; }

@@ -7,9 +7,9 @@
 namespace ecods {
 namespace {
 
-// Answers questions about two shapes, each a rounded one or a mesh, in the order in which they are given: so ties are
-// broken by ids, and not by kinds. If a core is not convex, it does not answer `relation`, since a relation may then be
-// undecided (rounded.hpp).
+// Answers questions about two shapes, each rounded or a mesh, in the order in which they are given, so that ties are
+// broken by ids and not by kinds. With a core that is not convex, the test does not answer `relation`, since the
+// relation may then be undecided (rounded.hpp).
 class RoundedTest final : public TwoBodyTest {
   public:
     explicit RoundedTest(bool relates) : relates_(relates) {}

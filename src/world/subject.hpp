@@ -1,4 +1,4 @@
-// Defines what a question to a world is asked about: subjects, with their bodies already looked up.
+// Defines the subjects of questions to a world, with their bodies already looked up.
 #pragma once
 
 #include <optional>
@@ -18,14 +18,15 @@ struct Subject {
     ShapeKind kind() const noexcept { return posed.what->kind(); }
 };
 
-// Holds the two subjects of a question, in the order in which they are passed to it, and the test of their kinds.
+// A SubjectPair holds the two subjects of a question, in the order in which the question gets them, and the test of
+// their kinds.
 struct SubjectPair {
     Subject a, b;
     OrderedTest test;
-    bool is_turned = false;  // true if the caller gave them in the other order
+    bool is_turned = false;  // true if the caller gave the subjects in the other order
 
-    // Calls the member function `question` of the test. If the test takes the two kinds in the other order, it gets the
-    // subjects exchanged.
+    // Calls the member function `question` of the test. If the test takes the two kinds in the other order, the
+    // subjects are exchanged for it.
     template <class Question, class... Arguments>
     auto ask(Question question, const Arguments&... arguments) const {
         return test.ask(a.posed, b.posed, question, arguments...);

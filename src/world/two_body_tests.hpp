@@ -1,4 +1,4 @@
-// Stores the two-body tests, by the two kinds of shape that a test takes.
+// TwoBodyTests stores the two-body tests, by the two kinds of shapes that each test takes.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,14 @@
 
 namespace ecods {
 
-// Holds the test of two kinds of shape, and says in which order it takes the two.
+// An OrderedTest is the test of two kinds of shapes, and the order in which it takes the two shapes.
 struct OrderedTest {
     const TwoBodyTest* test;
     bool swapped;    // true if the test takes the shape of the second kind first
     bool has_signs;  // true if signed distances of bodies of these kinds agree with the test
 
-    // Calls the member function `question` of the test with a and b, in the order that the test takes, and `arguments`.
+    // Calls the member function `question` of the test with a and b, in the order in which the test takes them, and
+    // with `arguments`.
     template <class Question, class... Arguments>
     auto ask(const Posed<Shape>& a, const Posed<Shape>& b, Question question, Arguments&&... arguments) const {
         return swapped ? (test->*question)(b, a, arguments...) : (test->*question)(a, b, arguments...);
@@ -32,11 +33,11 @@ inline ClosestPoints turned(ClosestPoints points) noexcept {
 
 class TwoBodyTests {
   public:
-    // A test takes the shapes in the order of its kinds, or in either order.
+    // Says whether a test takes the shapes in the order of its kinds, or in either order.
     enum class Takes : std::uint8_t { first_kind_first, either_order };
     void set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test, Takes takes = Takes::first_kind_first);
 
-    // Sets a test of the library's own, with which signed_distance_of() agrees wherever it gives a distance.
+    // Sets a test of the library's own. Wherever signed_distance_of() gives a distance, it must agree with the test.
     void set_with_signs(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test,
                         Takes takes = Takes::first_kind_first);
     bool has(ShapeKind a, ShapeKind b) const;

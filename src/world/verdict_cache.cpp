@@ -82,9 +82,9 @@ void VerdictCache::take_place(VerdictIndex index) noexcept {
     places_[place] = {hash, index};
 }
 
-// Empties a place. Fills the gap with an entry that follows, unless the entry would then stand before its home place,
-// and so on for the gap that this entry leaves (Knuth, volume 3, algorithm 6.4R). No mark of a removed entry remains,
-// so probes do not get longer.
+// Empties a place. The gap is filled with a later entry, unless that entry would then stand before its home place; the
+// gap that this entry leaves is filled in the same way (Knuth, volume 3, algorithm 6.4R). No mark of a removed entry
+// remains, so probes do not get longer.
 void VerdictCache::free_place(std::size_t place) noexcept {
     const std::size_t mask = places_.size() - 1;
     for (std::size_t other = (place + 1) & mask; places_[other].index != no_verdict; other = (other + 1) & mask) {
@@ -107,8 +107,8 @@ void VerdictCache::link(VerdictIndex index, int side) noexcept {
     firsts_[proxy] = index;
 }
 
-// Changes the links that point to a verdict in the list of its body number `side`: the next verdict then links back to
-// `back`, and the previous verdict (or the list's beginning) links on to `on`.
+// Changes the links that point to a verdict in the list of its body number `side`. The link back of the next verdict
+// becomes `back`. The link forward of the previous verdict, or the first link of the list, becomes `on`.
 void VerdictCache::link_neighbours(const Verdict& verdict, int side, VerdictIndex back, VerdictIndex on) noexcept {
     const ProxyIndex proxy = (side == 0 ? verdict.bodies.a : verdict.bodies.b).slot - 1;
     const VerdictIndex next = verdict.next[side], previous = verdict.previous[side];

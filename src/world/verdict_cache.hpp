@@ -1,13 +1,12 @@
 // Caches the verdicts of the candidate pairs: a verdict holds while neither body of its pair changes.
 //
 // The ECoDS report calls this the collision cache: a pair that did not move is not tested again. The cache holds
-// exactly the pairs whose boxes overlap. It also holds those that are filtered out, since a change of filters must find
-// them.
+// exactly the pairs whose boxes overlap, filtered-out pairs included, since a change of filters must find them.
 //
 // Verdicts are stored in one array. Each verdict is in two doubly linked lists, one for each of its bodies; the verdict
-// stores the links. So a body that moved finds its pairs without hashing. A hash table, by the two bodies, finds a pair
-// that ends. Memory: 44 bytes a verdict, 4 bytes a body, and 8 bytes for each place of the table; at least a quarter of
-// the places are empty.
+// stores the links. So the pairs of a body that moved are found without hashing. A pair that ends is found by a hash
+// table, by its two bodies. Memory: 44 bytes a verdict, 4 bytes a body, and 8 bytes for each place of the table; at
+// least a quarter of the places are empty.
 #pragma once
 
 #include <array>
@@ -21,11 +20,11 @@
 
 namespace ecods {
 
-// Index of a verdict in the array. It stays valid until some verdict is removed.
+// A VerdictIndex is the index of a verdict in the array. It stays valid until some verdict is removed.
 using VerdictIndex = std::uint32_t;
 inline constexpr VerdictIndex no_verdict = ~VerdictIndex{0};
 
-// Holds the answer of the current update to a pair. It is `none` until the pair is tested.
+// Holds the answer of the current update for a pair. It is `none` until the pair is tested.
 enum class Answer : std::uint8_t { none, filtered_out, no, yes };
 
 struct Verdict {
@@ -34,16 +33,16 @@ struct Verdict {
     std::array<VerdictIndex, 2> previous{};
     PairWitness witness{};         // left by the last test of the pair
     bool is_enabled = false;       // true if the last test was not filtered out; false before a test
-    bool is_positive = false;      // the last answer was yes; false unless enabled
-    Answer answer = Answer::none;  // of the current update, if the update looks at the pair
+    bool is_positive = false;      // true if the last answer was yes; false unless enabled
+    Answer answer = Answer::none;  // set by the current update, if it processes the pair
 
     ProxyPair proxies() const noexcept { return {bodies.a.slot - 1, bodies.b.slot - 1}; }
 };
 
 class VerdictCache {
   public:
-    // Reserves memory for `verdict_count` verdicts altogether, whose proxies are below `proxy_end`; up to this many,
-    // add() does not throw. Capacity grows geometrically, even if callers reserve in small steps.
+    // Reserves memory for `verdict_count` verdicts altogether, whose proxies are below `proxy_end`. Up to this number
+    // of verdicts, add() does not throw. Capacity grows geometrically, even if callers reserve in small steps.
     void reserve(std::size_t verdict_count, std::size_t proxy_end);
 
     void add(const BodyPair& bodies) noexcept;  // the pair must not be cached yet; its memory must be reserved
@@ -82,7 +81,7 @@ class VerdictCache {
     }
     static std::uint32_t hash_of(ProxyPair pair) noexcept;
     std::size_t place_of(
-        ProxyPair pair) const noexcept;  // the place of the pair, or the empty place where it would be put
+        ProxyPair pair) const noexcept;  // the place of the pair, or the empty place where it would be stored
     void take_place(VerdictIndex index) noexcept;
     void free_place(std::size_t place) noexcept;
     void link(VerdictIndex index, int side) noexcept;

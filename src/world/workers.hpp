@@ -1,4 +1,5 @@
-// Runs the tests of an update, in parallel if the world has an executor. Each worker has its own QueryMemory.
+// Runs the two-body tests of an update or a question, in parallel if the world has an executor. Each worker has its own
+// QueryMemory.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +17,8 @@
 
 namespace ecods {
 
-// Checks that an executor runs each task exactly once, and never two tasks at once on one worker. Otherwise an answer
-// could be used that was never computed, or that two threads wrote at once.
+// ExecutorWatch checks that an executor runs each task exactly once, and never two tasks at once on one worker.
+// Otherwise an answer could be used that was never computed, or that two threads wrote at once.
 class ExecutorWatch {
   public:
     ExecutorWatch(std::size_t task_count, std::size_t worker_count) : runs_(task_count), is_busy_(worker_count) {}
@@ -46,7 +47,7 @@ class Workers {
     }
 
     // Calls `run_one` as run() does, for a question; other threads may ask questions at the same time. If `ask` gives a
-    // memory, or there is no executor, the calling thread makes all calls. Otherwise the executor does, for one
+    // memory, or there is no executor, the calling thread makes all calls. Otherwise the executor makes them, for one
     // question at a time.
     template <class RunOne>
     void run_question(std::size_t count, const Ask& ask, const RunOne& run_one) const {

@@ -1,4 +1,4 @@
-// Gives a world settings that callers do not have.
+// Gives replayed worlds settings that callers do not have.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 namespace ecods {
 
 struct WorldAccess {
-    // Takes solids for their surfaces in every question and list, but for solid_pairs of version 1 of traces, which are
-    // then the world's relations(). Call it before the world has a body.
+    // Treats solids as their surfaces in every question and list. The only exception is relations(), which then is the
+    // list solid_pairs of version 1 of traces. Call it before the world has a body.
     static void take_solids_for_surfaces(World& world);
 
     static std::vector<PairDistance> unsigned_distances(const World& world, double max_distance);
 };
 
-// Returns the distances of pairs of convex solids within max_distance, which are 0 where they share a point. Throws
-// SingularPose if any convex solid has a singular pose. For traces.
+// Returns the distances of pairs of convex solids within max_distance; the distance of two that share a point is 0.
+// Throws SingularPose if any convex solid has a singular pose. Used for traces of version 1.
 inline std::vector<PairDistance> unsigned_distances(const World& world, double max_distance) {
     return WorldAccess::unsigned_distances(world, max_distance);
 }

@@ -35,7 +35,7 @@ void find_members(const Bodies& bodies, const GroupPair& groups, std::vector<Pro
     if (b.size() < a.size()) a.swap(b);
 }
 
-// Offers all pairs of few bodies, those with the closest boxes first.
+// Offers all pairs of two short lists of bodies, pairs with the closest boxes first.
 void offer_few(ClosestSearch& search, const Bodies& bodies, const OverlapTracker& boxes, ClosestMemory::Lists& lists) {
     auto& candidates = lists.candidates;
     candidates.clear();
@@ -56,7 +56,8 @@ void offer_few(ClosestSearch& search, const Bodies& bodies, const OverlapTracker
     }
 }
 
-// Offers the pairs of many bodies that may be close enough, from each body of the smaller group in turn.
+// Offers the pairs of two long lists of bodies that may be close enough: visits, for each body of the smaller group,
+// the boxes near it.
 void offer_many(ClosestSearch& search, const Bodies& bodies, const OverlapTracker& boxes, const GroupPair& groups,
                 std::span<const ProxyIndex> members) {
     for (const ProxyIndex a : members) {
@@ -72,7 +73,7 @@ void offer_many(ClosestSearch& search, const Bodies& bodies, const OverlapTracke
 
 std::optional<ClosestPair> World::Impl::find_closest(double max_distance, const GroupPair& groups,
                                                      const Ask& ask) const {
-    constexpr std::size_t few = 4096;  // pairs: the boxes of more are found sooner by a tree
+    constexpr std::size_t few = 4096;  // number of pairs; if there are more, a tree finds the closest boxes sooner
     require_distance(max_distance);
     require_answers(Question::within);
     require_answers(Question::distance);
@@ -114,7 +115,8 @@ ProxyPairs World::Impl::near_pairs_of(double max_distance, const GroupPair& grou
     if (groups.are_all()) {
         broad_phase.find_pairs_among(chosen, enlarged_boxes, pairs);
     } else {
-        // The boxes of the smaller group reach further by the whole distance, so that others need not.
+        // The boxes of the smaller group are enlarged by the whole distance, because the boxes of the other group are
+        // not.
         for (Aabb& box : enlarged_boxes) box = enlarged(box, max_distance);
         broad_phase.find_pairs_with(chosen, enlarged_boxes, pairs);
     }

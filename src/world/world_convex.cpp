@@ -18,11 +18,11 @@
 
 namespace ecods {
 
-// Asks about pairs in the order in which the trees find them: neighbours in this order often share a body.
+// Asks about pairs in the order in which the trees find them: successive pairs in this order often share a body.
 
 namespace {
 
-// Prefetches data of the bodies that follow `proxy`, from which their SolidInMemory objects will be made.
+// Prefetches data of bodies that come some places after `proxy`; their SolidInMemory objects will be made from it.
 void prefetch_after(const Bodies& bodies, ProxyIndex proxy) noexcept {
     constexpr ProxyIndex solids_ahead = 16, parts_ahead = 8;
     if (bodies.end() - proxy > solids_ahead)

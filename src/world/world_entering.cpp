@@ -9,7 +9,7 @@
 namespace ecods {
 namespace {
 
-// Returns the mesh of a subject or a body. Throws NotSupported if it has none, or is of another form than is asked.
+// Returns the mesh of a subject or a body. Throws NotSupported if its shape is not a mesh.
 Posed<MeshShape> mesh_at(const Posed<Shape>& posed) {
     if (posed.what->kind() != ShapeKind::mesh()) {
         throw NotSupported(Question::cast, posed.what->kind(), ShapeKind::mesh());
@@ -17,7 +17,7 @@ Posed<MeshShape> mesh_at(const Posed<Shape>& posed) {
     return {static_cast<const MeshShape&>(*posed.what), posed.pose};
 }
 
-// True if a shape that enters something, or is entered, is a solid; false for a surface.
+// Returns true if the mesh is a solid; false if it is a surface.
 bool is_solid(const Posed<MeshShape>& mesh) noexcept {
     return mesh.what->form() != MeshForm::surface;
 }

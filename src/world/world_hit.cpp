@@ -15,20 +15,20 @@ void require_hits(const Bodies& bodies) {
     if (const auto kind = bodies.kind_without_hits()) throw NotSupported(Question::hits, *kind, *kind);
 }
 
-// The bodies of a world, as targets of lines.
+// Targets are the bodies of a world, as targets of lines.
 struct Targets {
     const Bodies& bodies;
     const OverlapTracker& boxes;
     PosedBody::Meaning meaning;
 
-    // Nothing for a shape of the caller's own.
+    // Returns the mesh of a body; nullopt if its shape is not a mesh.
     std::optional<PosedBody> mesh_at(ProxyIndex proxy) const {
         const Slot& slot = bodies[proxy];
         if (slot.kind != ShapeKind::mesh()) return std::nullopt;
         return PosedBody({static_cast<const MeshShape&>(*slot.shape), slot.pose}, meaning);
     }
 
-    // Names the body of a hit, and the triangle of its mesh.
+    // Returns the hit with the id of its body, and with its feature named in the body's mesh.
     BodyHit named(KeyedHit found) const {
         const auto proxy = static_cast<ProxyIndex>(found.key);
         if (const auto body = mesh_at(proxy)) body->rename(found.hit.feature);
@@ -92,7 +92,8 @@ std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Targets& targets,
     return result;
 }
 
-// Asks about each line; a trace holds each as a question of its own.
+// Asks about each line, all in one memory. So a trace has none of these questions: it has only questions without a
+// memory.
 template <class SegmentOrRay>
 BodyHitLists find_lists(const World& world, std::span<const SegmentOrRay> lines,
                         const std::optional<CollisionFilter>& filter, const Ask& ask) {

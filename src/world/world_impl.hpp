@@ -36,27 +36,27 @@ struct World::Impl {
     // such test must answer it. If `replaced` is not null, one body with the shape `replaced` is left out.
     void require_tests_for(ShapeKind kind, const Shape* replaced, std::optional<Question> question = {}) const;
 
-    // The questions that updates ask of every test, beside `intersects`. The next function throws NotSupported unless
-    // the tests of `kind` answer all of them.
+    // Returns the questions, beside `intersects`, that updates ask of every test. require_update_tests_for() throws
+    // NotSupported unless the tests of `kind` answer all of them.
     std::array<std::optional<Question>, 2> update_questions() const noexcept {
         return {closeness.question(), relations.question()};
     }
     void require_update_tests_for(ShapeKind kind, const Shape* replaced) const;
 
-    // Throw NotSupported unless the tests answer the question: the first for every two bodies of the world, the second
-    // for these two kinds.
+    // Throw NotSupported unless the tests answer the question: the first function for every two bodies of the world,
+    // the second for these two kinds.
     void require_answers(Question question) const;
     void require_answer(ShapeKind a, ShapeKind b, Question question) const;
 
     // ---- subjects of questions
     Subject subject_of(const Asked& asked) const;  // throws StaleBody, InvalidArgument, NotSupported
-    // True if a question about the subject skips the body `other`: it is the subject, or their filters exclude the
-    // pair.
+    // Returns true if a question about the subject skips the body `other`: `other` is the subject, or their filters
+    // exclude the pair.
     bool passes_over(const Subject& subject, ProxyIndex other) const;
     Aabb box_of(const Subject& subject) const;
     void require_tests_for(const Subject& subject, std::optional<Question> question = {}) const;
 
-    // PairOrder says in which order a test gets the two subjects. With lesser_id_first, the body with the lesser id
+    // PairOrder says in which order a question gets the two subjects. With lesser_id_first, the body with the lesser id
     // comes first, so that both orders of the arguments break ties alike. pair_of() throws SameBody, NotSupported, and
     // the errors of subject_of().
     enum class PairOrder { as_given, lesser_id_first };
@@ -77,23 +77,23 @@ struct World::Impl {
     // other.
     ProxyPairs near_pairs_of(double max_distance, const GroupPair& groups) const;
 
-    // Holds pairs of bodies, in no promised order: pairs that are not filtered out and whose boxes may be within a
+    // Holds pairs of bodies, in no promised order: pairs that are not filtered out, and whose boxes may be within a
     // limit of each other.
     struct NearPairs {
         ProxyPairs pairs;
         std::vector<convex::SolidInMemory>
-            solids;  // by proxy: those of convex solids at regular poses; others are null
+            solids;  // by proxy; null unless the body is a convex solid at a regular pose
 
         bool are_convex(const ProxyPair& pair) const noexcept {
             return solids[pair.a].parts != nullptr && solids[pair.b].parts != nullptr;
         }
     };
-    // Returns the pairs of convex solids, of these and convex rounded bodies, or of all kinds. The first two throw
-    // SingularPose for any convex solid.
+    // Returns the pairs of convex solids, of convex solids and convex rounded bodies, or of bodies of all kinds. The
+    // first two throw SingularPose if the pose of any convex solid is singular.
     enum class Kinds : std::uint8_t { convex_solids, convex, all };
     NearPairs near_pairs(double limit, Kinds kinds) const;
-    // Calls find(pair, memory) for each pair, even if a call throws. `find` returns the second member of the pair's
-    // Answer, or nullopt for no answer. Returns the answers, ascending by pair.
+    // Calls find(pair, memory) for each pair, even if a call throws; then throws the error of the least pair. `find`
+    // returns the second member of the pair's Answer, or nullopt for no answer. Returns the answers, ascending by pair.
     template <class Answer, class Function>
     std::vector<Answer> ask_pairs(const NearPairs& near, const Ask& ask, const Function& find) const;
 
@@ -112,8 +112,8 @@ struct World::Impl {
     // Writes the call that creates the body into the trace. Call only if there is a trace.
     void trace_body(ProxyIndex proxy, std::uint64_t shape_number) noexcept;
 
-    // Returns the number of a shape in the trace, or 0 if there is no trace. Writes the shape into the trace if it is
-    // new there, so this function must be called before the call that uses the number is written.
+    // Returns the number of a shape in the trace, or 0 if there is no trace. If the shape is new in the trace, writes
+    // it there; so call this before the call that uses the number is written.
     std::uint64_t traced_number(const std::shared_ptr<const Shape>& shape) {
         return trace ? trace->number_of(shape) : 0;
     }
@@ -130,7 +130,7 @@ struct World::Impl {
         return answer;
     }
 
-    bool are_solids_surfaces = false;  // true for traces of version 1 (WorldAccess)
+    bool are_solids_surfaces = false;  // true while a trace of version 1 is replayed (WorldAccess)
     Bodies bodies;
     Changes changes;
     MeshShapes mesh_shapes;
@@ -141,7 +141,7 @@ struct World::Impl {
     PairRelations relations;
     Workers workers;
     std::unique_ptr<TraceWriter> trace;  // null if no trace is being written
-    mutable std::mutex trace_mutex;      // for questions, which several threads may ask at once
+    mutable std::mutex trace_mutex;      // guards the trace: several threads may ask questions at once
     Statistics statistics;               // running totals only; World::statistics() fills in the other members
 };
 
@@ -154,7 +154,7 @@ inline void require_valid(const Pose& pose, BodyId body = {}, const ListIndex& i
         refuse_invalid(pose, body, index);
 }
 void require_usable(const std::shared_ptr<const Shape>& shape);  // throws InvalidArgument for null; NotSupported
-// Throws NotSupported if the kind is one of the library's, but the shape is not.
+// Throws NotSupported if the kind is one of the library's, but the class of the shape is not.
 void require_own_kind(const Shape& shape);
 void require_answer(const TwoBodyTest& test, Question question, ShapeKind a, ShapeKind b);  // throws NotSupported
 

@@ -16,8 +16,8 @@ Least<Name> least_within(double limit) {
     return Least<Name>(limit);
 }
 
-// Offers a candidate to `least`. Calls distance() only if within(limit) says that the candidate is near enough to win.
-// Returns the upper bound of the distances with which later candidates can win.
+// Offers a candidate to `least`. Calls distance() only if within() says that the candidate is near enough to win.
+// Returns an upper bound of the distances with which later candidates can win.
 template <class Name, class Within, class Distance>
 double take(Least<Name>& least, Name name, const Within& within, const Distance& distance) {
     const auto reach = least.reach(name);

@@ -44,7 +44,7 @@ Relation World::relation(const Asked& a, const Asked& b, const Ask& ask) const {
     return pair.test.swapped ? mirrored(found) : found;
 }
 
-// Exchanges the two triangles of each pair in the result if the test takes the shapes in the other order.
+// If the test takes the shapes in the other order, exchanges the two triangles of each pair in the result.
 std::vector<TrianglePair> World::intersecting_triangles(const Asked& a, const Asked& b, const Ask& ask) const {
     const SubjectPair pair = impl().pair_of(a, b);
     auto triangles = pair.ask(&TwoBodyTest::intersecting_triangles, Ask(Asking(ask).memory()));
@@ -82,7 +82,7 @@ Statistics World::statistics() const {
 
 namespace {
 
-// Sums the digests of those pairs whose bodies are both alive.
+// Sums the digests of the pairs whose bodies are both alive.
 std::uint64_t sum_of_pairs(const BodyPairs& pairs, const Bodies& bodies) {
     std::uint64_t sum = 0;
     for (const BodyPair& pair : pairs) {
@@ -99,8 +99,8 @@ std::uint64_t number_of(Relation relation) noexcept {
     return static_cast<std::uint64_t>(relation) - (relation > Relation::crossing ? 1 : 0);
 }
 
-// Sums the digests of those pairs whose bodies are both alive. The body with the lesser digest is taken as the first of
-// its pair, so the sum does not depend on ids.
+// Sums the digests of the pairs whose bodies are both alive. The body with the lesser digest counts as the first of its
+// pair, so the sum does not depend on ids.
 std::uint64_t sum_of_relations(const PairRelations& relations, const Bodies& bodies) {
     std::uint64_t sum = 0;
     for (const PairRelation& pair : relations.list()) {

@@ -26,8 +26,8 @@ Posed<S> as(const Subject& subject, const char* form) {
     return {*solid, subject.posed.pose};
 }
 
-// Calls ask(), a question about the pair. A SingularPose that it throws is changed: it then names the body, and counts
-// the arguments in the caller's order.
+// Calls ask(), a question about the pair. If ask() throws SingularPose, throws another SingularPose that names the
+// body, and whose argument is in the caller's order.
 template <class Function>
 auto naming_the_body(const Bodies& bodies, const SubjectPair& pair, const Function& ask) {
     try {

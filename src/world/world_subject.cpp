@@ -6,7 +6,7 @@
 namespace ecods {
 namespace {
 
-// Looks up what the caller asks about, in a World::Impl. It is a body, a shape at a pose, or a mesh at a pose.
+// Looks up the subject of a question in a World::Impl: a body, a shape at a pose, or a mesh at a pose.
 template <class Impl>
 struct FindSubject {
     const Impl& world;

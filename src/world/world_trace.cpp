@@ -6,8 +6,8 @@ namespace ecods {
 
 namespace {
 
-// Writes the call that creates a body with its pose, filter and user data. (Older traces, from before the call
-// `create_with`, have two or three calls instead.)
+// Writes the call that creates a body with its pose, filter and user data. (Traces that are older than the call
+// `create_with` have two or three calls instead.)
 void trace_body(TraceWriter& trace, BodyId body, const Slot& slot, std::uint64_t shape_number) noexcept {
     if (slot.filter == CollisionFilter() && slot.user_data == 0) {
         trace.write<calls::Create>(body, shape_number, slot.pose);

@@ -48,7 +48,8 @@ void require_unchanged(const Slot& slot, const Aabb& box, BodyId body) {
     if (!(slot.shape->box(slot.pose) == box)) throw ShapeChanged(body, slot.kind, "box");
 }
 
-// Throws unless exactly the pairs of boxes that overlap have a verdict, and a fresh test of each gives the same answer.
+// Throws unless exactly the pairs of boxes that overlap have a verdict, and a new test of each pair gives the same
+// answer.
 template <class Test>
 void validate_verdicts(const VerdictCache& verdicts, const OverlapTracker& boxes, const Bodies& all, Test test) {
     const std::vector<ProxyPair> pairs = pairs_of_boxes(all, boxes);
