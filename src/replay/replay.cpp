@@ -28,7 +28,7 @@ std::string hex_text(std::uint64_t number) {
     return text;
 }
 
-// Makes the calls of a trace in a new world, and compares the answers.
+// Replays a trace: makes its calls in a new world, and compares the answers.
 class Replayer {
   public:
     Replayer(std::istream& in, const ReplayOptions& options)
@@ -137,8 +137,8 @@ void Replayer::make(const Row<calls::InOrder>& traced) {
     Row<calls::InOrder>::fields(KeepIds{{}, *this}, traced, call);
 }
 
-// Asks the question. Compares the digest of the answer with the trace's only if the world has the ids of the trace,
-// since ties are decided by the least ids.
+// Asks the question. Compares the digest of the answer with the digest in the trace only if the world has the ids of
+// the trace, since the least id decides a tie.
 template <template <class> class Row>
 void Replayer::ask(const Row<calls::InOrder>& traced) {
     const std::uint64_t answer = AnswerDigest::of(in_world(traced).ask(world_));

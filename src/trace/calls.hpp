@@ -13,9 +13,9 @@
 //     destroyed  a body that the call destroys            flag       true or false
 //     body       any other body                           data       64 bits of the caller's own
 //     other_body the second, different body of a pair     clearance  a distance, or none
-//     shape                                               posed_bodies   as many bodies as poses
+//     shape      a shape or mesh                          posed_bodies   as many bodies as poses
 //
-// If it is given several calls of one row, `fields` passes the same field of all of them to the visitor together. So a
+// If `fields` is given several calls of one row, it passes the same field of all calls to the visitor together. So a
 // visitor can copy a call to a call with other names.
 #pragma once
 
@@ -43,7 +43,7 @@ using Label = std::size_t;
 
 // ---- names
 
-// Names while writing: ids, and numbers of shapes.
+// Tracing is the naming while a trace is written: ids, and numbers of shapes.
 struct Tracing {
     using Body = BodyId;
     using Shape = std::uint64_t;  // the shape's number in the text
@@ -51,7 +51,7 @@ struct Tracing {
     using List = std::span<const Item>;
 };
 
-// Names while reading: bodies and shapes by their order of creation.
+// InOrder is the naming while a trace is read: bodies and shapes by their order of creation.
 struct InOrder {
     using Body = Label;
     using Shape = std::size_t;  // number of meshes and shapes before this one in the text
@@ -59,7 +59,7 @@ struct InOrder {
     using List = std::vector<Item>;
 };
 
-// Names in a World: ids, and the shapes themselves.
+// InWorld is the naming in a World: ids, and the shapes themselves.
 struct InWorld {
     using Body = BodyId;
     using Shape = std::shared_ptr<const ecods::Shape>;
@@ -246,7 +246,7 @@ bool emplace_row(AnyCall& call, std::string_view name) {
 
 // ---- visitors
 
-// Visits no field. This is a base class for visitors of only some kinds of fields.
+// NoField ignores every field. It is a base class for visitors that need only some kinds of fields.
 struct NoField {
     void created(auto&...) const noexcept {}
     void destroyed(auto&...) const noexcept {}
@@ -284,7 +284,7 @@ struct CopyFields {
     void data(const auto& from, auto& to) const { to = from; }
     void clearance(const auto& from, auto& to) const { to = from; }
 
-    // The kinds of fields that only questions have (questions.hpp).
+    // The following kinds of fields occur in questions only (questions.hpp).
     void answer(const auto& from, auto& to) const { to = from; }
     void line(const auto& from, auto& to) const { to = from; }
     void motion(const auto& from, auto& to) const { to = from; }
@@ -294,7 +294,7 @@ struct CopyFields {
     void groups(const auto& from, auto& to) const { to = from; }
 };
 
-// Returns the same call with other names, which `body_of` and `shape_of` give.
+// Returns the same call with other names. `body_of` and `shape_of` translate the names of bodies and shapes.
 template <class To, template <class> class Row, class From, class BodyOf, class ShapeOf>
 Row<To> renamed(const Row<From>& call, BodyOf body_of, ShapeOf shape_of) {
     Row<To> result{};

@@ -1,4 +1,4 @@
-// Names of the forms of meshes in a trace, which states the form, since answers depend on it.
+// Names the forms of meshes in a trace. A trace must state the form, because answers depend on it.
 #pragma once
 
 #include <array>

@@ -171,7 +171,8 @@ struct SignedDistances : UpTo {
     auto ask(auto& world) const { return world.signed_distances(limit); }
 };
 
-// Is read only: in version 1, and before signed_distances. unsigned_distances() is found where the world is known.
+// This question is only read, not written: it occurs in version 1, and in version 2 before signed_distances.
+// unsigned_distances() is declared where World is known.
 template <class Names>
 struct SolidDistances : UpTo {
     static constexpr std::string_view name = "solid_distances";

@@ -9,7 +9,8 @@
 namespace ecods {
 namespace {
 
-// Returns a word as error messages show it: quoted, shortened to 40 characters, with '?' for all but printable ASCII.
+// Returns a word in the form of error messages: quoted, shortened to 40 characters, with '?' for all but printable
+// ASCII.
 std::string quoted(std::string_view word) {
     std::string shown = "'";
     for (const char c : word.substr(0, 40)) shown.push_back(c >= ' ' && c <= '~' ? c : '?');

@@ -22,9 +22,8 @@ class TraceLines {
     // locale of the stream have no effect. Throws std::bad_alloc if memory runs out.
     bool next();
 
-    // Goes to the first line, and returns it without the byte order mark of UTF-8, with which it may begin; an empty
-    // text if there is no line. If it ends with CR LF, an editor wrote the file so, and the CR is dropped from every
-    // line.
+    // Goes to the first line, and returns it without a byte order mark of UTF-8; an empty text if there is no line. If
+    // the line ends with CR LF, as some editors write it, CR is dropped from the end of every line.
     std::string_view next_header();
 
     // The next functions read the next word or words of the line. They throw InvalidTrace if a word is missing or
@@ -46,21 +45,21 @@ class TraceLines {
     bool at_end() const noexcept { return left_.empty(); }
     void require_end();
 
-    // Goes to the next line, which continues the line before. Throws InvalidTrace unless the line exists and begins
-    // with this word; reads the word.
+    // Goes to the next line, which must continue the line before. Throws InvalidTrace unless that line exists and
+    // begins with `first_word`; reads the word.
     void require_next(std::string_view first_word);
 
     std::size_t number() const noexcept { return number_; }  // number of the current line, from 1
     [[noreturn]] void fail(const std::string& reason) const;
 
   private:
-    bool skips(std::string_view next_word);  // if the next word is this one, skips it and returns true
+    bool skips(std::string_view next_word);  // if the next word is `next_word`, skips it and returns true
 
     std::istream& in_;
     std::string text_;
     std::string_view left_;  // rest of the current line, in text_
     std::size_t number_;
-    bool drops_cr_ = false;  // true if each line ends with CR
+    bool drops_cr_ = false;  // true if lines end with CR LF
 };
 
 }  // namespace ecods

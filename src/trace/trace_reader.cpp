@@ -12,7 +12,7 @@ constexpr std::uint64_t max_64 = ~std::uint64_t{0};
 
 }  // namespace
 
-// ---- fields. Nothing is reserved for a count that the text announces: only items that are there take memory.
+// ---- fields. No memory is reserved for a count that the text announces: only items that are present take memory.
 
 decltype(TracedNames::bodies)::iterator FieldReader::known_body() {
     const auto found = names_.bodies.find(lines_.body());

@@ -1,4 +1,4 @@
-// Reads a trace and gives its lines as data, one after the other. Throws InvalidTrace if a line names an unknown body
+// Reads a trace and returns its lines as data, one after the other. Throws InvalidTrace if a line names an unknown body
 // or shape, or if a list has another number of items than it announces.
 #pragma once
 
@@ -33,8 +33,8 @@ struct TracedUpdate {
     bool has_failed = false;
 };
 
-// Holds a mesh. TracedHalfSpace holds a half space, TracedRounded a rounded shape, and TracedShape a shape of the
-// caller's own. All are numbered in one sequence, calls::InOrder::Shape.
+// A TracedMesh holds a mesh; TracedHalfSpace holds a half space, TracedRounded a rounded shape, and TracedShape a shape
+// of the caller's own. All are numbered in one sequence, calls::InOrder::Shape.
 struct TracedMesh {
     std::shared_ptr<const Mesh> mesh;
     MeshForm form = MeshForm::surface;
@@ -43,7 +43,7 @@ struct TracedShape {
     ShapeKind kind;
     std::string text;
 };
-// A rounded shape, whose core is an earlier mesh of that sequence.
+// `core` is the number of an earlier mesh in this sequence.
 struct TracedRounded {
     std::size_t core = 0;
     double radius = 0;
@@ -61,7 +61,7 @@ struct TracedNote {
 using TraceItem = std::variant<TracedCall, TracedQuestion, TracedUpdate, TracedMesh, TracedHalfSpace, TracedShape,
                                TracedRounded, TracedNote>;
 
-// Holds the names of the bodies and shapes in the part of a trace that was read.
+// TracedNames holds the names of the bodies and shapes in the part of a trace that has been read.
 struct TracedNames {
     struct BodyHash {
         std::size_t operator()(const TracedBody& body) const noexcept {
@@ -73,7 +73,7 @@ struct TracedNames {
     std::unordered_map<std::uint64_t, std::size_t> shapes;  // values of calls::InOrder::Shape, by number in the text
 };
 
-// Reads the fields of a call or a question; a visitor of the rows.
+// A FieldReader reads the fields of a call or a question; it is a visitor of the rows.
 class FieldReader {
   public:
     FieldReader(TraceLines& lines, TracedNames& names) : lines_(lines), names_(names) {}
@@ -115,20 +115,20 @@ class TraceReader {
     explicit TraceReader(std::istream& in);
 
     BroadPhaseKind broad_phase() const noexcept { return broad_phase_; }
-    // True if the traced world had given no id to a body before the trace began.
+    // Returns true if the traced world had given no id to a body before the trace began.
     bool begins_empty() const noexcept { return begins_empty_; }
 
-    // True if solids collide as their surfaces.
+    // Returns true if the trace is of version 1, in which solids collide as their surfaces.
     bool is_of_version_1() const noexcept { return is_of_version_1_; }
 
-    // Returns the next item, or nothing at the end. Throws InvalidTrace, also for a mesh that Mesh::create rejects.
+    // Returns the next item, or nullopt at the end. Throws InvalidTrace, also for a mesh that Mesh::create rejects.
     std::optional<TraceItem> next();
 
     // Returns the number, from 1, of the last line of the last item.
     std::size_t line() const noexcept { return lines_.number(); }
     [[noreturn]] void fail(const std::string& reason) const { lines_.fail(reason); }
 
-    // Returns the names of bodies and shapes, for notes that hold fields.
+    // Returns the names of bodies and shapes, with which a caller can read fields in notes.
     TracedNames& names() noexcept { return names_; }
 
   private:

@@ -10,7 +10,7 @@
 namespace ecods {
 namespace {
 
-// Lists the names by the values of BroadPhaseKind.
+// Lists the names, in the order of the values of BroadPhaseKind.
 static_assert(static_cast<int>(BroadPhaseKind::brute_force) == 0 && static_cast<int>(BroadPhaseKind::automatic) == 3);
 constexpr std::array<std::string_view, 4> broad_phase_names = {"brute_force", "sweep_and_prune", "kept_candidates",
                                                                "automatic"};

@@ -12,11 +12,11 @@
 
 namespace ecods {
 
-// The first line of a trace. In version 1, solids collided as their surfaces.
+// These are the first lines of traces. In version 1, solids collided as their surfaces.
 inline constexpr std::string_view trace_header = "ecods-trace 2", old_trace_header = "ecods-trace 1";
 
-// Names a body as a trace does, by slot and generation in the world that wrote the trace. This is no id in any other
-// world.
+// A TracedBody names a body as a trace does, by slot and generation in the world that wrote the trace. It is not an id
+// in any other world.
 struct TracedBody {
     std::uint32_t slot = 0;
     std::uint32_t generation = 0;
@@ -26,7 +26,7 @@ constexpr TracedBody traced(BodyId body) noexcept {
     return {body.slot, body.generation};
 }
 
-// These parsers return nothing unless the whole word is a number or a name of their kind.
+// These parsers return nullopt unless the whole word is a number or a name of their kind.
 std::optional<double> parse_hex_double(std::string_view word);  // only finite numbers
 std::optional<std::uint64_t> parse_hex(std::string_view word);
 std::optional<std::uint64_t> parse_decimal(std::string_view word, std::uint64_t max);

@@ -1,4 +1,4 @@
-// Writes a trace.
+// Writes traces.
 #pragma once
 
 #include <cstddef>
@@ -19,20 +19,20 @@
 
 namespace ecods {
 
-// Writes a trace to a stream. A call is written after it has succeeded, so writing must not throw: if writing fails, it
-// stops and has_failed() becomes true. Text is written unformatted: flags, width and locale of the stream have no
-// effect.
+// A TraceWriter writes a trace to a stream. A call is written after it has succeeded, so writing must not throw: if
+// writing fails, the writer stops and has_failed() becomes true. Text is written unformatted: flags, width and locale
+// of the stream have no effect.
 class TraceWriter {
   public:
     TraceWriter(std::ostream& out, TraceOptions options);
 
-    // Returns the number of a shape in the trace. If the trace does not have the shape yet, first writes it, so that it
-    // precedes the call that uses it. Throws NotSupported if the shape cannot be written.
+    // Returns the number of a shape in the trace. If the trace does not have the shape yet, first writes the shape, so
+    // that it precedes the call that uses it. Throws NotSupported if the shape cannot be written.
     std::uint64_t number_of(const std::shared_ptr<const Shape>& shape);
 
     void begin(BroadPhaseKind kind, std::size_t slot_count) noexcept;
 
-    // True if the trace includes questions.
+    // Returns true if the trace includes questions.
     bool writes_questions() const noexcept { return options_.questions; }
 
     // Writes a call or a question, given by its row in calls.hpp or questions.hpp: write<calls::SetPose>(body, pose).
@@ -57,7 +57,7 @@ class TraceWriter {
     bool has_failed() const noexcept { return has_failed_; }
 
   private:
-    // Writes the fields of a call or a question; a visitor of the rows.
+    // A FieldWriter writes the fields of a call or a question; it is a visitor of the rows.
     struct FieldWriter {
         TraceWriter& writer;
 
@@ -111,8 +111,8 @@ class TraceWriter {
     void put_mesh(MeshForm form, const Mesh& mesh, std::uint64_t number) noexcept;
     std::string text_of(const Shape& shape) const;
 
-    // Holds a mesh or shape that has a number. numbers_ finds it by its address, which another object may have once
-    // this one is destroyed; the weak pointer distinguishes the two.
+    // A Numbered is a mesh or shape that has a number. numbers_ finds it by its address. Another object may have the
+    // same address once this one is destroyed; the weak pointer distinguishes the two.
     struct Numbered {
         std::weak_ptr<const void> object;
         std::uint64_t number = 0;
