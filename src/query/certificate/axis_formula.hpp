@@ -1,5 +1,5 @@
-// Defines axes by formulas in the corners of two triangles, one of body a and one of body b (FORMULA in
-// verify/certificates/README.md).
+// An AxisFormula defines an axis by a formula in the corners of two triangles, one of body a and one of body b (FORMULA
+// in verify/certificates/README.md).
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ struct AxisFormula {
     friend bool operator==(const AxisFormula&, const AxisFormula&) = default;
 };
 
-// The corners of a triangle of a, then of a triangle of b. They are exact if Vector has integers, and rounded if it has
-// doubles.
+// Holds the corners of a triangle of a, then those of a triangle of b. They are exact if Vector has integers, and
+// rounded if it has doubles.
 template <class Vector>
 using Corners = std::array<Vector, 6>;
 using SixCorners = Corners<exact::LongVector>;
@@ -58,7 +58,7 @@ Vector vector_of(const AxisFormula& f, const Corners<Vector>& corners) {
     const auto unit = [](std::size_t k) -> Vector {
         return {Number(std::int64_t{k == 0}), Number(std::int64_t{k == 1}), Number(std::int64_t{k == 2})};
     };
-    // Returns (e . e) w - (w . e) e, the part of w that is perpendicular to e, times e . e.
+    // Returns (e . e) w - (w . e) e: the part of w that is perpendicular to e, multiplied by e . e.
     const auto across = [](const Vector& w, const Vector& e) -> Vector {
         const Number ee = dot(e, e), we = dot(w, e);
         return {ee * w[0] - we * e[0], ee * w[1] - we * e[1], ee * w[2] - we * e[2]};

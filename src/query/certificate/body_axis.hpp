@@ -1,13 +1,13 @@
 // Projects the boxes and triangles of a posed tree onto an axis, with proven error bounds.
 //
-// With a tree's frame v = center + map y, the coordinate of a point along n, counted from `base`, is
+// With a tree's frame v = center + map y, the coordinate of a point along n, relative to `base`, is
 //     n . (R v + t - base) = p . y + q,   p = map^T R^T n,   q = n . (R center + d),   d = fl(t - base).
 // Bound, in doubles, with u' = 2^-52 for one operation in any rounding mode: let w = |n| |R| |map| 1 and w_d = |n| (|R|
 // |center| + |d|). R map is off by 3.01 u' times its sum of magnitudes, and p by as much again. So p . y, with |y| <= 1
 // + 2^-22, is off by 6.2 u' w. q is off by 8.2 u' w_d, the rounding of d included. The middle and the half width of a
 // box each have the error of p . y, and 3.01 u' w of products and sums. To add q, and to compute the two ends, takes
 // less than 3 u' (w + w_d). Together this is below 22 u' w + 12 u' w_d; 32 u' (w + w_d) also covers the evaluation of
-// these sums. A leaf's corners are off by corner_error more, on each axis.
+// these sums. The corners of a leaf have an additional error of corner_error on each axis.
 //
 // Underflow: all sums that enter are required to be below 2^300, and w + w_d above 2^-300. A hundred operations lose
 // 2^-1022 each, also if subnormals count as zero, times factors below 2^600: less than a hundredth of u' w.
@@ -26,7 +26,7 @@ namespace ecods {
 
 // Holds the numbers of a posed mesh that do not depend on the axis, named as in the derivation above.
 struct BodyFrame {
-    // Coordinates are counted from `base`. The pose and the shape that `body` refers to must outlive this object.
+    // Coordinates are relative to `base`. The pose and the shape that `body` refers to must outlive this object.
     BodyFrame(const Posed<MeshShape>& body, const Vec3& base);
 
     exact::BodyRef ref;

@@ -16,7 +16,7 @@ namespace ecods {
 struct Certificate::Content {
     Claim claim = Claim::disjoint;
     double value = 0;
-    // For the claims distance and within: the closest features. For triangles that meet: the triangles, as faces.
+    // The closest features, for the claims distance and within. For triangles that meet: the two triangles, as faces.
     Feature a, b;
     bool names_triangles = false;  // true if a and b name triangles that meet
 
@@ -30,8 +30,8 @@ struct Certificate::Content {
 void require_surface(const MeshShape& shape);
 
 struct CertificateAccess {
-    // Returns the shape of `posed`. Shares its ownership if `posed` does; otherwise the result does not own the shape.
-    // Throws NotSupported for a solid: a proof is about triangles.
+    // Returns the shape of `posed`, as a shared pointer. If `posed` owns its shape, the result shares the ownership;
+    // otherwise the result does not own the shape. Throws NotSupported for a solid, because a proof is about triangles.
     static std::shared_ptr<const MeshShape> shape_of(const Posed<MeshShape>& posed) {
         require_surface(*posed.what);
         return posed.kept ? posed.kept : std::shared_ptr<const MeshShape>(std::shared_ptr<const void>(), posed.what);

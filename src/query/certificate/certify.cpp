@@ -25,7 +25,7 @@ struct CertificateMemory final : QueryMemoryPart {
     TriangleDistances pair;
 };
 
-// Maker makes one certificate about two bodies: it states the claim and records the proof.
+// A Maker makes one certificate about two bodies: it states the claim and records the proof.
 class Maker {
   public:
     Maker(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory)
@@ -63,8 +63,8 @@ class Maker {
         content_.value = d;
         if (!is_within) return prove(Claim::beyond, d);
         content_.claim = Claim::within;
-        // The witness may be no pair within d: if d is infinite no search is made, and another search may have set no
-        // pair, or left a pair of an earlier query. In these cases finds the nearest pair.
+        // The witness may not be a pair within d: if d is infinite, no search was made; otherwise the search may have
+        // set no pair, or left a pair of an earlier query. In these cases, finds the nearest pair.
         if (key_of(d) == key_of(infinity) || !names_pair(witness) || pair_.compare(witness.a, witness.b, d) > 0) {
             witness = {};
             if (key_of(surface::distance(a_, b_, {memory_, witness})) == 0) return meeting(witness);

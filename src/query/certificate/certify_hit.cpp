@@ -10,7 +10,7 @@
 namespace ecods {
 namespace {
 
-// Returns the midpoint of a positive double and the double below it; zero for the least positive double.
+// Returns the midpoint of a positive double and the next double below it; zero for the least positive double.
 Parameter midpoint_below(double s) {
     const exact::Dyadic x = exact::decode(s), y = exact::decode(next_down(s));
     if (y.m == 0) return {};

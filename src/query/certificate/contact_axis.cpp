@@ -13,8 +13,8 @@ using exact::Integer;
 
 namespace {
 
-// Rounds 2^-e v to doubles, with e such that the largest coordinate is at least 1/2 and below 1. The error is less than
-// 2^-51.
+// Rounds 2^-e v to doubles, where e is such that the largest coordinate is at least 1/2 and below 1. The error is less
+// than 2^-51.
 Vec3 in_doubles(const exact::LongVector& v) {
     int width = 0;
     for (const Integer& x : v) width = std::max(width, x.bit_width());
@@ -27,15 +27,15 @@ Vec3 in_doubles(const exact::LongVector& v) {
     return result;
 }
 
-// Points beyond the plane by less than this share of the body's size are decided exactly. Points further beyond are
-// outside: rounding and the errors of leaves' corners cannot explain their distance.
+// Boxes that are beyond the plane by less than this share of the body's size are decided exactly. Boxes that are
+// further beyond are outside: rounding and the errors of leaves' corners cannot explain their distance.
 constexpr double near_share = 0x1p-18;
 
 }  // namespace
 
 // Error bound `margin`: n in doubles is off by 2^-51 on each axis, and each point of the body is at most size +
-// origin_size from the point from which coordinates are counted. The plane is computed from a corner of the body, so it
-// has the errors of any other point.
+// origin_size from the origin of coordinates. The plane is computed from a corner of the body, so it has the errors of
+// any other point.
 ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners, const ExactPoints& points,
                          const std::array<BodyFrame, 2>& bodies)
     : axis(named_axis), points_(points), n_(vector_of(axis.formula, corners)) {
@@ -72,7 +72,7 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
     }
 }
 
-// Returns two sets of lanes: those that are certainly inside, and others that may be.
+// Returns two sets of lanes: the lanes that are certainly inside, and other lanes that may be inside.
 template <class X>
 std::array<std::uint32_t, 2> ContactAxis::classify(const Half& half, const X& x) const {
     if (!half.axis.is_bounded) return {0, x.lanes()};
@@ -102,8 +102,8 @@ bool ContactAxis::is_part_inside(std::size_t body, const TreeLeaf& leaf, std::si
                                [&](std::uint32_t vertex) { return is_vertex_inside(body, vertex); });
 }
 
-// Returns true if child `lane` of the node is inside. It is if all its triangles are inside; only triangles that bounds
-// leave undecided are tested.
+// Returns true if child `lane` of the node is inside, that is, if all its triangles are inside. Only triangles that
+// bounds leave undecided are tested.
 bool ContactAxis::is_part_inside(std::size_t body, const BvhNode& node, std::size_t lane) {
     Half& half = halves_[body];
     const TreeRef part = node.child[lane];

@@ -1,11 +1,11 @@
-// Decides which boxes and triangles of two bodies are proven apart by the axis of two triangles, one of each body, that
-// are in contact or closest to each other.
+// A ContactAxis is the axis of two triangles, one of each body, that are in contact or closest to each other. It
+// decides which boxes and triangles of the bodies this axis proves apart.
 //
 // A box of a is called inside if it is not beyond a's triangle along the axis; a box of b, if it is not before b's
-// triangle. A box of a that is inside is at least as far from each box of b that is inside as the two triangles are
-// from each other, along the axis. So one axis line proves all pairs of boxes of two faces that lie flush on each
-// other, and all triangles that share the closest features. Bounds in doubles decide most boxes; near the planes,
-// integers decide vertex by vertex. Each decision is cached.
+// triangle. Along the axis, a box of a that is inside is at least as far from each box of b that is inside as the two
+// triangles are from each other. So one axis line proves all pairs of boxes of two faces that lie flush on each other,
+// and all triangles that share the closest features. Bounds in doubles decide most boxes; near the planes, integers
+// decide vertex by vertex. Each decision is cached.
 #pragma once
 
 #include <array>
@@ -20,15 +20,15 @@ namespace ecods {
 
 class ContactAxis {
   public:
-    // `corners` are the corners of the triangles that axis.formula refers to. All arguments must outlive this object.
+    // `corners` are the corners of the triangles to which axis.formula refers. All arguments must outlive this object.
     ContactAxis(const ProofAxis& axis, const SixCorners& corners, const ExactPoints& points,
                 const std::array<BodyFrame, 2>& bodies);
 
     ProofAxis axis;
     Proof::Word named = Proof::no_axis;
 
-    // Returns the lanes of x, a node or leaf of body 0 or 1, that are inside: not beyond the plane of that body's
-    // triangle.
+    // Returns the lanes of x, a node or leaf of body 0 or 1, that are inside: they are not beyond the plane of that
+    // body's triangle.
     template <class X>
     std::uint32_t lanes_inside(std::size_t body, const X& x);
 
@@ -37,7 +37,7 @@ class ContactAxis {
 
     struct Half {
         const BodyFrame* body = nullptr;
-        BodyAxis axis;      // along n in doubles, for b along -n: so greater coordinates are beyond the plane
+        BodyAxis axis;      // along n in doubles, for b along -n: beyond the plane, coordinates are greater
         double plane = 0;   // coordinate of the triangle's plane
         double margin = 0;  // error bound of (coordinate of a point) - plane
         double near = 0;    // boxes that are further beyond the plane than this are outside

@@ -4,7 +4,7 @@ namespace ecods {
 
 using namespace exact;
 
-// Binds a body, with coordinates counted from the origin, as the points of a segment are.
+// Binds a body, with coordinates relative to the origin, as the points of a segment have them.
 BitRange ExactPoints::bind(std::size_t body, const BodyRef& of) noexcept {
     meshes_[body] = of.mesh;
     terms_[body].set(*of.pose, Vec3::Zero());

@@ -1,5 +1,5 @@
-// Represents posed vertices, and points of a segment, by integers of any length. These count multiples of one power of
-// two.
+// Represents posed vertices, and points of a segment, by integers of any length. The integers count multiples of one
+// power of two.
 #pragma once
 
 #include <array>

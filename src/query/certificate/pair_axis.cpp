@@ -11,7 +11,7 @@
 namespace ecods {
 namespace {
 
-// Sets the members for tests in floats. A test shall prove boxes apart if their gap exceeds `need`, which must be
+// Sets the members for tests in floats, which must prove boxes apart if their gap exceeds `need`. `need` must be
 // finite.
 void set_floats(PairAxis& axis, double need) noexcept {
     constexpr double v = 0x1p-23;
@@ -75,7 +75,8 @@ SlabEnds slab_ends(const PairAxis& axis, const BodyAxis& of_tree, const Slab& sl
 
 namespace {
 
-// If one of x and y is a leaf and the other a node, joins the intervals of the leaf: it is then tested as one box.
+// If one of x and y is a leaf and the other a node, joins the intervals of the leaf, so that the leaf is tested as one
+// box.
 template <class X, class Y, class Number>
 ECODS_ALWAYS_INLINE void join_leaf(Reaches<Number>& of_x, Reaches<Number>& of_y) noexcept {
     if constexpr (std::is_same_v<X, Y>) return;

@@ -1,5 +1,5 @@
-// Compares boxes or triangles of two posed trees along an axis, eight with eight: in floats, and in doubles if floats
-// fail.
+// A PairAxis compares boxes or triangles of two posed trees along an axis, eight with eight: in floats, and in doubles
+// where floats fail.
 //
 // A test in floats takes a third of the time of a test in doubles. It proves the same, unless a gap exceeds the
 // required one by less than about 2^-19 of the bodies' size.
@@ -31,7 +31,7 @@ struct PairAxis {
     BodyAxis a, b;
     double margin = std::numeric_limits<double>::infinity();  // boxes are apart if their gap in doubles exceeds this
 
-    // For tests in floats. The initial values prove nothing apart.
+    // These are for tests in floats. Their initial values prove nothing apart.
     std::array<float, 3> p_a{}, p_b{};
     float below = -std::numeric_limits<float>::infinity();  // added to the lower ends of intervals of b
     float above = std::numeric_limits<float>::infinity();   // added to the upper ends of intervals of b
@@ -52,13 +52,12 @@ struct SlabEnds {
     float high = std::numeric_limits<float>::infinity();
 };
 
-// Returns the ends of the slab on the axis. `of_tree` must be axis.a or axis.b: the one of the slab's tree.
+// Returns the ends of the slab on the axis. `of_tree` must be axis.a or axis.b, whichever belongs to the slab's tree.
 SlabEnds slab_ends(const PairAxis& axis, const BodyAxis& of_tree, const Slab& slab) noexcept;
 
 // Returns the pairs that are certainly apart: bit 8 i + j stands for lane i of x and lane j of y. Only pairs whose j
-// occurs in `pairs` are tested. If one of x and y is a leaf and the other a node, the leaf counts as one box, of lane
-// 0. `of_x` and `of_y` are the slabs of x and y, or null. If `is_fine`, doubles test the pairs for which floats prove
-// nothing.
+// occurs in `pairs` are tested. If one of x and y is a leaf and the other a node, the leaf counts as one box, lane 0.
+// `of_x` and `of_y` are the slabs of x and y, or null. If `is_fine`, doubles test the pairs that floats leave open.
 template <class X, class Y>
 std::uint64_t apart_mask(const PairAxis& axis, const X& x, const Y& y, std::uint64_t pairs, bool is_fine,
                          const SlabEnds* of_x = nullptr, const SlabEnds* of_y = nullptr) noexcept;

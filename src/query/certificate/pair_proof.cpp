@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-// True if x is a leaf and y a node. The leaf is then not opened: it is tested as one box, with all its triangles.
+// True if x is a leaf and y a node. Then the leaf is not opened: it is tested as one box, with all its triangles.
 template <class X, class Y>
 inline constexpr bool is_leaf_beside_node = std::is_same_v<X, TreeLeaf>&& std::is_same_v<Y, BvhNode>;
 
@@ -17,15 +17,17 @@ std::size_t part_count(const X& x, const Y&) {
     return is_leaf_beside_node<X, Y> ? 1 : x.count;
 }
 
-// The digits of a slab's normal, and the number of pairs that the slab must prove in a step to be worth an axis line.
+// Number of bits of the coordinates of a slab's normal; and the number of pairs that a slab must prove in a step to be
+// worth an axis line.
 constexpr int slab_bits = 12;
 constexpr int slab_min = 2;
-// An axis is tried exactly if at least this many pairs of triangles of two leaves are open.
+// If at least this many pairs of triangles of two leaves are open, an axis is tried exactly.
 constexpr int ties_min = 4;
-// The distance of such a pair may exceed the claimed distance by at most this share of the body's size.
+// An axis is tried exactly only if the triangles' distance exceeds the claimed one by at most this share of the body's
+// size.
 constexpr double tie_share = 0x1p-16;
 
-// Doubles are always tried after this many pairs of leaves for which only doubles proved anything.
+// After this many pairs of leaves for which only doubles proved anything, doubles are always tried.
 constexpr int fine_min = 4;
 
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
@@ -48,14 +50,15 @@ template <class X, class Y>
 bool PairProof::try_axis(PairAxis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left) {
     if (axis.margin == std::numeric_limits<double>::infinity()) return false;
     const std::uint64_t mask = apart_mask(axis, x, y, left, trial.is_fine, trial.of_x, trial.of_y);
-    // If the axis is not in the proof yet, it costs a line of its own there.
+    // An axis that is not in the proof yet costs a line of its own there, so it must prove more pairs.
     const int least = axis.named == Proof::no_axis ? trial.least : 1;
     if (std::popcount(mask & left) < least || !proof_.name({.given = axis.n}, axis.named)) return false;
     left &= ~mask;
     return true;
 }
 
-// Returns the axis of a node's or leaf's slab. It is cached, because the same node is opened again beside other nodes.
+// Returns the axis of a node's or leaf's slab. The axis is cached, because the same node is opened again with other
+// nodes.
 template <class X>
 PairProof::SlabAxis& PairProof::slab_axis(const X& x, std::size_t body) {
     const MeshBvh& tree = bodies_[body].tree;
@@ -107,7 +110,7 @@ void PairProof::try_slabs(const X& x, const Y& y, bool is_fine, std::uint64_t& l
 }
 
 // Tries the axis between the closest features of the first open pair of triangles, rounded to a vector. If many pairs
-// stay open, tries this axis exactly, as a formula. Removes the pairs that are proven apart from `left`.
+// stay open, tries the same axis exactly, as a formula. Removes from `left` the pairs that are proven apart.
 void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t& left) {
     if (left != 0) {
         const auto first = static_cast<std::size_t>(std::countr_zero(left));
@@ -121,14 +124,14 @@ void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t
     if (std::popcount(left) >= ties_min) {
         const auto first = static_cast<std::size_t>(std::countr_zero(left));
         const std::uint32_t i = x.triangle[first / tree_width], j = y.triangle[first % tree_width];
-        // If the triangles are well apart, they are open only because too few axes were tried.
+        // Triangles that are well apart are open only because too few axes were tried.
         const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * bodies_[0].size.sum());
         if (const auto formula = formula_for(i, j); is_tie && formula && add_contact(*formula, i, j))
             try_contact(contacts_.back(), x, y, left);
     }
 }
 
-// Chooses the axes of a step for nodes or leaves x and y. Returns those of the pairs `all` that no axis proves apart.
+// Tries the axes of a step for nodes or leaves x and y. Returns the pairs of `all` that no axis proves apart.
 template <class X, class Y>
 std::uint64_t PairProof::try_axes(const X& x, const Y& y, std::uint64_t all) {
     constexpr bool are_leaves = std::is_same_v<X, TreeLeaf> && std::is_same_v<Y, TreeLeaf>;
@@ -190,8 +193,8 @@ std::uint64_t PairProof::open(const X& x, const Y& y) {
     return left;
 }
 
-// Opens a node or leaf y of body 1 and x of body 0. (In this order LanePairs has the bits of open().) Returns false if
-// the walk ends, because two triangles meet or cross.
+// Opens a node or leaf y of body 1 and x of body 0. (In this order, the bits of LanePairs are those of open().) Returns
+// false if two triangles meet or cross, which ends the walk.
 bool PairProof::visit(const NodePair& top) {
     return with_nodes(bodies_[1].tree, bodies_[0].tree, top, [&]<class Y, class X>(const Y& y, const X& x) {
         LanePairs left(open(x, y));
@@ -206,13 +209,13 @@ bool PairProof::visit(const NodePair& top) {
         } else {
             const auto before = static_cast<std::ptrdiff_t>(stack_.size());
             push_children(top, y, x, left, [&](const NodePair& children, const auto&) { stack_.push_back(children); });
-            std::reverse(stack_.begin() + before, stack_.end());  // a proof opens the first next
+            std::reverse(stack_.begin() + before, stack_.end());  // so that the first pair is opened next
         }
         return true;
     });
 }
 
-// Adds the axis between the two triangles `closest`, exactly and rounded, so that it is tried first.
+// Adds the axis between the two triangles `closest`, exactly and rounded, to the axes that are tried first.
 void PairProof::add_first_axes(const TrianglePair& closest, const AxisFormula& formula) {
     add_contact(formula, closest.a, closest.b);
     axes_.push_back(bind(direction_of(closest.a, closest.b)));

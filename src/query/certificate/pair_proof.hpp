@@ -1,4 +1,4 @@
-// Proves a claim about every pair of triangles of two bodies by walking both trees.
+// A PairProof proves a claim about every pair of triangles of two bodies by walking both trees.
 #pragma once
 
 #include <optional>
@@ -18,19 +18,19 @@ namespace ecods {
 
 class PairProof {
   public:
-    // Axes must prove boxes to be further apart than `least`. It is the distance that the claims distance and beyond
-    // name, and 0 for other claims. `pair` must be bound to the bodies. All arguments must outlive this object.
+    // Axes must prove boxes to be further apart than `least`: the distance that the claims distance and beyond name,
+    // and 0 for other claims. `pair` must be bound to the bodies. All arguments must outlive this object.
     PairProof(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double least, TriangleDistances& pair,
               Proof& proof);
 
     enum class EndsAt : std::uint8_t { meeting, crossing };
-    // Writes the proof and returns nullopt. The claim must be true, with one exception: the bodies may cross, or share
-    // a point if `ends_at` is meeting. In that case returns two triangles that do so, and the proof is unfinished. Axes
+    // Writes the proof and returns nullopt. The claim must be true, except that the bodies may cross, or, if `ends_at`
+    // is meeting, share a point. In these cases returns two triangles that do so, and the proof is unfinished. Axes
     // between the two triangles `closest` are tried first.
     std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest, EndsAt ends_at);
 
   private:
-    // Caches the axis along the slab of a node or leaf.
+    // A SlabAxis caches the axis along the slab of a node or leaf.
     struct SlabAxis {
         static constexpr std::size_t none = ~std::size_t{0};
         std::size_t node = none;
@@ -38,8 +38,8 @@ class PairProof {
         PairAxis axis{};
         SlabEnds ends{};
     };
-    // Says how an axis is tried. The axis enters the proof only if it proves `least` pairs. If `is_fine`, doubles test
-    // the pairs for which floats prove nothing.
+    // A Trial says how an axis is tried. The axis enters the proof only if it proves at least `least` pairs. If
+    // `is_fine`, doubles test the pairs that floats leave open.
     struct Trial {
         int least;
         bool is_fine;

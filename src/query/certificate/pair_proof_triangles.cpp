@@ -17,8 +17,8 @@ std::uint8_t corner_of(const FeatureKey& feature, std::uint32_t triangle, const 
     return static_cast<std::uint8_t>(feature_of(feature, triangle, corners).corner);
 }
 
-// Returns the axis between the closest features of two triangles that do not meet. The gap along it is their distance.
-// `i` and `j` are the corners that name the features of a and b.
+// Returns the axis between the closest features of two triangles that do not meet. The gap along this axis is their
+// distance. `i` and `j` are the corners that name the features of a and b.
 AxisFormula formula_between(ClosestKind kind, bool a_is_vertex, std::uint8_t i, std::uint8_t j) {
     switch (kind) {
         case ClosestKind::vertex_vertex:
@@ -34,7 +34,8 @@ AxisFormula formula_between(ClosestKind kind, bool a_is_vertex, std::uint8_t i, 
 
 }  // namespace
 
-// Call only if the interval is certain and its lower bound is positive.
+// Returns the axis between the closest features in `interval`. Call it only if the interval is certain and its lower
+// bound is positive.
 AxisFormula PairProof::formula_of(const DistanceInterval& interval, std::uint32_t i, std::uint32_t j) const {
     return formula_between(interval.kind, interval.a.is_vertex(), corner_of(interval.a, i, bodies_[0].triangle(i)),
                            corner_of(interval.b, j, bodies_[1].triangle(j)));
@@ -81,7 +82,8 @@ std::optional<AxisFormula> PairProof::formula_for(std::uint32_t i, std::uint32_t
 // Adds the axis of triangles i and j to the axes that are tried exactly. Returns false, with nothing added, if the list
 // is full or the formula involves a vertex.
 bool PairProof::add_contact(const AxisFormula& formula, std::uint32_t i, std::uint32_t j) {
-    // Formulas that involve a vertex are left out: if triangles tie at a vertex, each pair needs an axis of its own.
+    // Formulas that involve a vertex are left out, because each pair of triangles that ties at a vertex needs an axis
+    // of its own.
     const bool is_axis =
         formula.kind == Kind::normal_a || formula.kind == Kind::normal_b || formula.kind == Kind::edges;
     if (contacts_.size() == contacts_max || !is_axis) return false;

@@ -25,7 +25,7 @@ struct BodyAxis {
     double at(const Vec3& y) const noexcept { return p[0] * y[0] + p[1] * y[1] + p[2] * y[2] + q; }
 };
 
-// Holds the interval of each lane along an axis. Lanes beyond the last used one repeat it.
+// Reaches holds the interval of each lane along an axis. Lanes beyond the last used lane repeat its interval.
 template <class Number>
 struct Reaches {
     alignas(32) std::array<Number, tree_width> low;
@@ -87,8 +87,8 @@ struct InDoubles {
     }
 };
 
-// Returns the pairs whose intervals are apart: bit 8 i + j stands for lane i of x and lane j of y. Tests all lanes i,
-// and the lanes j that are set in `columns`.
+// Returns the pairs whose intervals are disjoint: bit 8 i + j stands for lane i of x and lane j of y. Tests all lanes
+// i, and the lanes j that are set in `columns`.
 template <std::size_t width, class Number>
 ECODS_ALWAYS_INLINE std::uint64_t apart_lanes(const Reaches<Number>& x, const Reaches<Number>& y,
                                               std::uint32_t columns) noexcept {

@@ -12,8 +12,8 @@
 
 namespace ecods {
 
-// An axis that steps refer to by its index. It is a vector of doubles with few digits (`given`) or a formula of the
-// first three kinds, for triangles a and b.
+// A ProofAxis is an axis that steps refer to by its index. It is a vector of doubles with few digits (`given`), or a
+// formula of one of the first three kinds, for triangles a and b.
 struct ProofAxis {
     bool is_given = true;
     Vec3 given = Vec3::Zero();
@@ -29,7 +29,7 @@ struct Proof {
 
     std::vector<ProofAxis> axes;
     // The steps, one after the other. An opening has these words: its kind, the number of axes, the axes, the number of
-    // pairs left open, these pairs. A pair of triangles has: the step's kind, the formula's kind, i and j.
+    // pairs left open, the open pairs. A pair of triangles has these: the step's kind, the formula's kind, i and j.
     std::vector<Word> words;
     std::size_t step_count = 0;
     std::size_t opening = 0;  // index of the last opening's first word
@@ -41,8 +41,8 @@ struct Proof {
         opening = words.size();
         words.insert(words.end(), {0, 0});
     }
-    // Adds an axis to the current opening, unless it is there already. If `named` is no_axis, first appends the axis to
-    // the proof's list and sets `named` to its index. Returns false, and changes nothing, if the list is full.
+    // Adds an axis to the current opening, unless the opening has it already. If `named` is no_axis, first appends the
+    // axis to the proof's list and sets `named` to its index. Returns false, and changes nothing, if the list is full.
     bool name(const ProofAxis& axis, Word& named) {
         if (named == no_axis) {
             if (axes.size() >= no_axis) return false;
