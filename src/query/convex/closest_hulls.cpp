@@ -9,7 +9,7 @@ namespace {
 
 using namespace convex;
 
-// Set the witness to triangles that have the closest features, or vertices near them.
+// Set the witness to a triangle of each solid at its closest feature, or at a vertex near it.
 void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) noexcept {
     witness = {hulls.hull(0).vertex_names[guess.pairs[0][0]].triangle,
                hulls.hull(1).vertex_names[guess.pairs[0][1]].triangle};
@@ -21,7 +21,7 @@ void leave(const PosedHulls& hulls, const ClosestHulls& closest, PairWitness& wi
 
 }  // namespace
 
-// Tries the witness's triangles first. Even if their features were the closest before, they are proven like others.
+// Tries the witness's triangles first. The features that they suggest are proven like any others.
 std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {
     if (witness == nullptr || !is_known(*witness)) return find_closest(hulls, between_centers(hulls), witness);
     const Simplex guess =

@@ -2,8 +2,8 @@
 //
 // Points x of the first solid and y of the second are closest if and only if no point of the first solid is beyond x
 // along n = y - x, and no point of the second solid is before y. In a convex set, no vertex is beyond a vertex that has
-// no neighbor beyond it. So a handful of signs suffices to prove a guess: three vertices of each solid whose closest
-// features are known.
+// no neighbor beyond it. So a few signs suffice to prove a guess. A guess is at most three vertices of each solid whose
+// closest features are known.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 
 namespace ecods::convex {
 
-// Holds a set of up to four vertices of each hull.
+// VertexSets holds a set of up to four vertices of each hull.
 struct VertexSets {
     std::array<std::array<std::uint32_t, 4>, 2> at{};
     std::array<std::size_t, 2> count{};
@@ -37,8 +37,8 @@ struct VertexSets {
         if (std::find(at[side].begin(), end, vertex) == end) at[side][count[side]++] = vertex;
     }
     std::size_t triangle_count(std::size_t side) const noexcept { return count[side] == 4 ? 4 : 1; }
-    // Returns a triangle of the set's vertices. If there are four vertices, it leaves out number `without`; if there
-    // are only one or two, it repeats the last one.
+    // Returns a triangle of the set's vertices. Of four vertices, leaves out number `without`; of one or two vertices,
+    // repeats the last one.
     std::array<std::uint32_t, 3> triangle(std::size_t side, std::size_t without = 0) const noexcept {
         std::array<std::uint32_t, 3> result;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -49,14 +49,14 @@ struct VertexSets {
     }
 };
 
-// Holds a feature (vertex, edge or face) of each hull, on which closest points lie. The feature's vertices are the
-// first ones of `corners[side]`, a triangle of hull vertices that may repeat a vertex.
+// HullFeatures holds a feature (vertex, edge or face) of each hull, on which closest points lie. `corners[side]` is a
+// triangle of hull vertices that may repeat a vertex; its first vertices are those of the feature.
 struct HullFeatures {
     std::array<std::array<std::uint32_t, 3>, 2> corners{};
     exact::FeaturePair features;  // the features of the two triangles `corners`
 
     HullFeatures() = default;
-    // Takes a feature pair of two triangles. Reorders each triangle so that the vertices of its feature come first.
+    // Takes a feature pair of two triangles, and reorders each triangle so that the vertices of its feature come first.
     HullFeatures(const std::array<std::array<std::uint32_t, 3>, 2>& triangles, const exact::FeaturePair& f) noexcept;
 
     std::array<HullVertex, 6> vertices() const noexcept {
@@ -70,19 +70,19 @@ struct HullFeatures {
 
 struct ClosestHulls {
     HullFeatures found;
-    // By side: the hull's feature that is extreme towards the other solid; it contains the closest points. Empty if it
-    // is the feature of `found` and its index has not been looked up.
+    // By side: the hull's feature that is extreme towards the other solid; it contains the closest points. If it is
+    // empty, this is the feature of `found`, whose index has not been looked up.
     std::array<std::optional<HullFeature>, 2> parts;
-    // True if the features of `found` are these `parts`, and contain the only closest points, in their interiors.
+    // True if the features of `found` are these `parts`, and contain the only two closest points, in their interiors.
     bool are_only = false;
 
     HullFeature part(const PosedHulls& hulls, std::size_t side) const noexcept;
 };
 
-// Proves the guess by signs of rounded points. If these do not decide which vertices are level with the features, exact
-// signs do. Returns nullopt if the guess is wrong, or if a closest point may be on the border of a feature.
+// Proves the guess by signs of rounded points. Where these do not decide which vertices are level with the features,
+// exact signs do. Returns nullopt if the guess is wrong, or if a closest point may be on the border of a feature.
 std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& guess);
-// True if rounded points prove that the origin is inside the simplex. The solids then share a point.
+// Returns true if rounded points prove that the origin is inside the simplex. The solids then share a point.
 bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept;
 
 // Finds and proves the closest features exactly. Begins at `guess`, which may be any simplex of at least one pair.
@@ -92,7 +92,7 @@ std::optional<ClosestHulls> find_closest_exactly(PosedHulls& hulls, const Simple
 // Returns the probable closest features of two triangles of vertices, computed in doubles without a proof.
 HullFeatures guess_of_triangles(PosedHulls& hulls, const std::array<std::array<std::uint32_t, 3>, 2>& corners);
 
-// True if the features contain closest points of their two triangles. The vertices of these must not meet. Exact.
+// Returns true if the features contain closest points of their two triangles, which must share no point. Exact.
 bool are_closest_of_triangles(PosedHulls& hulls, const HullFeatures& found);
 
 // Returns the exact signs of n . (neighbor - vertex `at`), for up to signs_at_once neighbors. For the first solid, n is
@@ -105,24 +105,25 @@ std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeature
 // are given, points and distance are those of the rounded hulls.
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii = {});
 
-// A feature of each of two solids.
+// A HullFeaturePair is a feature of each of two solids.
 using HullFeaturePair = std::array<HullFeature, 2>;
 
-// Describes all pairs of points of two solids that have the least difference: the closest pairs; or, of solids that
-// share a point, those that the shortest translation brings together.
+// A LeastDifference describes all pairs of points of two solids that have the least difference. If the solids share no
+// point, these are the closest pairs; otherwise, the pairs that the shortest translation brings together.
 struct LeastDifference {
     HullFeaturePair
-        parts;           // the features that are extreme along the normal, towards each other: they contain all pairs
-    HullFeatures found;  // features that have one such pair, by which the difference is measured
-    Vec3 normal;         // unit vector, rounded: from the first solid to the second; of a depth, out of the first
+        parts;  // the features that are extreme along the normal, towards each other: they contain all these pairs
+    HullFeatures found;  // features that contain one of these pairs, and by which the difference is measured
+    Vec3 normal;         // rounded unit vector: from the first solid to the second; for a depth, out of the first
     bool is_depth;       // true if the difference is against the normal, or zero
     bool is_zero;        // true if the depth is 0
-    // True if `parts` have only one such pair, in their interiors.
+    // True if `parts` have only one of these pairs, in their interiors.
     bool are_only = false;
 };
 LeastDifference least_of_closest(PosedHulls& hulls, const ClosestHulls& closest);
-// `extreme` are the features that name the normal of the depth: a face and any feature, or two edges that are not
-// parallel; any features of flat solids whose depth is 0. `normal` is the unit normal, rounded.
+// Returns the least difference of two solids that share a point. `extreme` are the features that name the normal of the
+// depth: a face and any feature, or two edges that are not parallel; any features of flat solids whose depth is 0.
+// `normal` is the unit normal, rounded.
 LeastDifference least_of_deepest(PosedHulls& hulls, const HullFeaturePair& extreme, const Vec3& normal, bool is_zero);
 
 // Returns the square of the least difference.
@@ -131,20 +132,20 @@ exact::SquaredDistance square_of(PosedHulls& hulls, const LeastDifference& least
 // Returns a vector along the normal.
 exact::LongDirection exact_normal(PosedHulls& hulls, const LeastDifference& least);
 
-// Chooses, by the same rule as name_closest(), the features with the two points that the shortest translation of two
-// solids that share a point brings together, and computes these points; `distance` is the depth. If radii are given,
-// points and depth are those of the rounded solids.
+// Chooses features by the same rule as name_closest(): those with the two points that the shortest translation of two
+// solids that share a point brings together. Computes the points; `distance` is the depth. If radii are given, points
+// and depth are those of the rounded solids.
 ClosestPoints name_deepest(PosedHulls& hulls, const LeastDifference& least, const exact::Radii& radii = {});
 
-// Sets `pairs` to all pairs of features that have exactly one pair of points at the least difference, which is in the
-// interior of both, in no promised order: these are the corners of the region that such points form, seen along the
-// normal.
+// Sets `pairs` to the corners of the region that all points of the least difference form, seen along the normal. A
+// corner is a pair of features with exactly one pair of points at the least difference, in the interior of both. The
+// order is not promised.
 void list_least(PosedHulls& hulls, const LeastDifference& least, std::vector<HullFeaturePair>& pairs);
 
-// Returns the features' vertices, by which exact functions measure them: those of a face are its first three.
+// Returns the features with the vertices by which exact functions measure them; for a face, these are its first three.
 HullFeatures features_of(const PosedHulls& hulls, const HullFeaturePair& parts) noexcept;
 
-// True if the witness names two triangles.
+// Returns true if the witness names two triangles.
 constexpr bool is_known(const PairWitness& witness) noexcept {
     return witness.a != PairWitness::none && witness.b != PairWitness::none;
 }
@@ -152,11 +153,11 @@ constexpr bool is_known(const PairWitness& witness) noexcept {
 // Finds where two solids are closest, by the cheapest of the functions above that succeeds. Returns nullopt if they
 // share a point. `witness` is as in solid.hpp, or null.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness);
-// Does the same, but begins the search at the simplex `start`.
+// Finds the same, but begins the search at the simplex `start`.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);
 
-// Return the exact squared distance of the features; their distance, rounded once; the unit vector from the first to
-// the second, rounded once (the features must not meet); and the sign of (distance - d).
+// Measure the features exactly. Return their squared distance; their distance, rounded once; the unit vector from the
+// first to the second, rounded once (the features must share no point); and the sign of (distance - d).
 exact::SquaredDistance square_of(PosedHulls& hulls, const HullFeatures& found);
 double round_distance(PosedHulls& hulls, const HullFeatures& found);
 Vec3 round_direction(PosedHulls& hulls, const HullFeatures& found);

@@ -1,4 +1,5 @@
-// Convex sets that are given as a mesh: a convex solid, or a mesh of one triangle (a point, a segment, a triangle).
+// Finds convex sets that are given as a mesh: a convex solid, or a mesh of one triangle (a point, a segment, a
+// triangle).
 #pragma once
 
 #include "ecods/pose.hpp"
@@ -6,10 +7,11 @@
 
 namespace ecods::convex {
 
-// True if the shape is a convex solid, or a mesh of one triangle.
+// Returns true if the shape is a convex solid, or a mesh of one triangle.
 bool is_convex_core(const MeshShape& shape) noexcept;
 
-// Returns such a shape as a convex solid. A mesh of one triangle is made a flat one, which the result keeps.
+// Returns a shape for which is_convex_core() is true as a convex solid. A mesh of one triangle becomes a new flat
+// solid, which the result keeps alive.
 Posed<ConvexSolid> convex_core(const Posed<MeshShape>& posed);
 
 }  // namespace ecods::convex

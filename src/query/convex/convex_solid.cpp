@@ -19,9 +19,9 @@ Hull make_hull(const Solid& solid) {
     if (parts.flat) return build_flat_hull(parts.proper, *parts.flat);
     const Shells& shells = SolidAccess::shells(solid);
     const Mesh& mesh = solid.mesh();
-    // Features are named in the mesh as given. If edges were split, `whole` is this mesh, without the split.
+    // Features are named in the mesh as given. If edges were split, `whole` is the mesh before the split.
     ProperMesh whole;
-    if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // owned by the solid
+    if (!parts.origins.empty()) whole = find_proper({std::shared_ptr<const void>(), &mesh});  // the solid owns the mesh
     const Border border{&parts.proper,   &parts.edges,
                         shells.faces_in, parts.origins.empty() ? &parts.proper : &whole,
                         parts.origins,   exact::VertexSigns(parts.proper.mesh->vertices())};

@@ -41,7 +41,7 @@ class Check {
     Check(const Border& border, const Shells& shells, const Mesh& given)
         : border_(border), shells_(shells), given_(given), triangles_(border.proper->mesh->triangles()) {}
 
-    // Finds the flat edges; throws if an edge is a dent. An edge of four or more triangles always has a dent: one
+    // Finds the flat edges; throws if an edge is a dent. An edge of four or more triangles always has a dent, where one
     // triangle is beyond another's plane. Otherwise the gaps on both sides of a wedge of the solid would be at least
     // half a turn each, and leave no angle for the wedge.
     std::vector<std::uint8_t> find_flat() const {
@@ -82,12 +82,12 @@ class Check {
     }
 
   private:
-    // Returns a side of the named mesh's triangle of which triangle i is a piece.
+    // Returns a side of the triangle of the named mesh that contains triangle i as a piece.
     SideRef named_side(std::uint32_t i) const noexcept { return {border_.origin({i, 0}).triangle, 0}; }
 
-    // Returns a corner, beyond the plane of triangle `plane`, of the named mesh's triangle of which `of` is a piece.
-    // `vertex` must be a corner of `of` beyond that plane. If `vertex` is inside a side of the whole triangle, an end
-    // of that side is beyond the plane, too.
+    // Returns a corner of a triangle of the named mesh: of the triangle that contains `of` as a piece, a corner beyond
+    // the plane of triangle `plane`. `vertex` must be a corner of `of` beyond that plane. If `vertex` is inside a side
+    // of the whole triangle, an end of that side is beyond the plane, too.
     std::uint32_t beyond_corner(std::uint32_t of, std::uint32_t plane, std::uint32_t vertex) const noexcept {
         const std::uint32_t whole = border_.origin({of, 0}).triangle;
         const Triangle& named = border_.named->mesh->triangles()[whole];

@@ -11,7 +11,7 @@
 namespace ecods::convex {
 
 // Calls use(points, features, limbs) with the points of N >= 6 vertices, in the narrowest kernel that holds them.
-// `features` has the exact features of two triangles: the first three points and the next three. `limbs` has all N
+// `features` has the exact features of two triangles: the first three points, and the next three. `limbs` has all N
 // points.
 template <std::size_t N, class Use>
 auto with_exact_features(PosedHulls& hulls, const std::array<HullVertex, N>& vertices, Use&& use) {

@@ -3,8 +3,9 @@
 // furthest beyond are added to the simplices.
 //
 // In each round the distance of the simplices decreases, because the added vertex brings them closer. So no pair of
-// simplices occurs twice. The distance is computed as the distance of the simplices' triangles, which is larger only if
-// one simplex is inside the other: if it does not decrease, the solids share a point.
+// simplices occurs twice. The distance is computed as the distance of the simplices' triangles. It is larger than the
+// distance of the simplices only if one simplex is inside the other; so if it does not decrease, the solids share a
+// point.
 #include <algorithm>
 #include <span>
 
@@ -25,7 +26,8 @@ struct Measured {
     SquaredDistance square;
 };
 
-// Sets `result` to the closest features and the squared distance of two triangles; zero if they share a point.
+// Sets `result` to the closest features and the squared distance of two triangles; the square is zero if they share a
+// point.
 void measure(PosedHulls& hulls, const std::array<std::array<std::uint32_t, 3>, 2>& triangles, Measured& result) {
     result.found = guess_of_triangles(hulls, triangles);
     with_exact_features(hulls, result.found.vertices(), [&](const auto& points, const auto& features, const auto&) {
@@ -85,7 +87,8 @@ std::array<int, signs_at_once> find_signs(PosedHulls& hulls, const HullFeatures&
         });
 }
 
-// Computes the distance from numbers of fixed precision, rounded once. Returns nullopt if the rounding is not certain.
+// Computes the distance from numbers of fixed precision, and rounds it once. Returns nullopt if the rounding is not
+// certain.
 std::optional<double> round_from_digits(PosedHulls& hulls, const HullFeatures& found) {
     const auto points = hulls.integers({found.of_side(0), found.of_side(1)});
     exact::IntegerPair pair{{}, points.unit, points.are_exact ? 0 : exact::IntegerFrame::error_units};

@@ -55,7 +55,7 @@ class FlatBuilder {
         std::ranges::sort(hull_.edges, {}, &name_of_edge);
     }
 
-    // Walks around the polygon as its triangle `face` turns, beginning at the least vertex.
+    // Walks around the polygon in the sense of its triangle `face`, beginning at the least vertex.
     void add_face() {
         const auto by_name = [](const SideRef& side) { return std::tuple(side.triangle, side.corner); };
         for (std::size_t k = 0; k < flat_.cycle.size(); ++k) {
@@ -71,7 +71,7 @@ class FlatBuilder {
 
     const ProperMesh& proper_;
     const FlatMesh& flat_;
-    std::vector<std::uint32_t> vertex_of_;  // by vertex of the mesh: that of the hull
+    std::vector<std::uint32_t> vertex_of_;  // by vertex of the mesh: its vertex of the hull
     Hull hull_;
 };
 

@@ -1,4 +1,4 @@
-// Searches all vertices of a small hull, or other numbers, four at a time. All functions here are inlined into code
+// Searches all vertices of a small hull, or a list of numbers, four at a time. All functions here are inlined into code
 // that is compiled for the instruction set in use (simd/dispatch.hpp).
 #pragma once
 
@@ -40,7 +40,7 @@ struct Heights {
     }
 };
 
-// Keeps, for each lane, the greatest number and its index. The first of equal numbers is kept; NaN is skipped.
+// Best keeps, for each lane, the greatest number and its index. Of equal numbers the first is kept; NaN is skipped.
 struct Best {
     FourDoubles most = broadcast<FourDoubles>(-std::numeric_limits<double>::infinity());
     FourIndices of{};
@@ -97,7 +97,7 @@ ECODS_ALWAYS_INLINE std::size_t count_not_below(const double* groups, std::size_
     constexpr std::size_t lanes = SupportPoints::lanes;
     const Heights heights(along);
     const FourDoubles limit = broadcast<FourDoubles>(least);
-    FourIndices even{}, odd{};  // minus the number of products below the limit
+    FourIndices even{}, odd{};  // by lane: minus the number of products below the limit
     for (std::size_t i = 0; i < count; i += 6 * lanes) {
         even += heights.of(groups + i) < limit;
         odd += heights.of(groups + i + 3 * lanes) < limit;
@@ -107,7 +107,7 @@ ECODS_ALWAYS_INLINE std::size_t count_not_below(const double* groups, std::size_
     return count / 3 - static_cast<std::size_t>(below);
 }
 
-// Appends to `list` the vertices whose dot products are NaN, or less than the greatest product by at most `below`.
+// Appends to `list` the vertices whose dot products are NaN, or are less than the greatest product by at most `below`.
 ECODS_ALWAYS_INLINE void list_furthest(const SupportPoints& points, const exact::Point& along, double below,
                                        std::vector<std::uint32_t>& list) {
     const double* const groups = points.groups.data();

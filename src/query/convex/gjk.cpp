@@ -14,16 +14,16 @@ using exact::minus;
 using exact::negated;
 using exact::times;
 
-// Limit of the number of rounds. No pair needs so many if its search ends by itself; otherwise the guess does not get
-// better any more.
+// Limits the number of rounds. A search that ends by itself needs fewer; in any other search the guess does not improve
+// any more.
 constexpr int rounds_max = 200;
 
-// Holds the simplex's point v that is nearest to the origin, its squared distance, and the vertices of which v is a
-// combination.
+// Nearest holds the simplex's point v that is nearest to the origin, its squared distance, and the vertices of which v
+// is a combination.
 struct Nearest {
     Point v{};
     double square = std::numeric_limits<double>::infinity();
-    unsigned kept = 0;  // set of these vertices, as bits
+    unsigned kept = 0;  // set of the vertices of which v is a combination, as bits
 
     ECODS_ALWAYS_INLINE void take(const Point& point, unsigned bits) noexcept {
         const double s = dot(point, point);
@@ -76,8 +76,8 @@ ECODS_ALWAYS_INLINE void find_on_triangle(const Simplex& s, int i, int j, int k,
 }
 
 // Offers to `nearest` the nearest points of the faces that have, or may have, the origin on their outer side; if there
-// is no such face, the origin is inside. The face without the last vertex needs no test: the nearest point was in this
-// face, and the last vertex was added on the origin's side of it.
+// is no such face, the origin is inside. The face without the last vertex needs no test: the previous nearest point was
+// in this face, and the last vertex was added on the origin's side of it.
 ECODS_ALWAYS_INLINE void find_in_tetrahedron(const Simplex& s, Nearest& nearest) noexcept {
     bool is_inside = true;
     for (int l = 2; l >= 0; --l) {
@@ -129,8 +129,8 @@ ECODS_ALWAYS_INLINE void add(Simplex& s, const PosedHulls& hulls, const std::arr
     s.points[at] = minus(hulls.rounded(1, pair[1]), hulls.rounded(0, pair[0]));
 }
 
-// Runs GJK, and leaves the result in `simplex`. support(side, direction, start) must return a support vertex of a
-// solid.
+// Runs GJK, and leaves the result in `simplex`. support(side, direction, start) must return a support vertex of solid
+// `side`.
 template <class Support>
 ECODS_ALWAYS_INLINE void descend(Simplex& simplex, const PosedHulls& hulls, const Support& support) noexcept {
     Nearest nearest = find_nearest(simplex);

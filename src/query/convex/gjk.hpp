@@ -9,7 +9,7 @@
 
 namespace ecods::convex {
 
-// Simplex is a simplex of the Minkowski difference: pairs of vertices, one of each solid, and for each pair the point
+// A Simplex is a simplex of the Minkowski difference: pairs of vertices, one of each solid, and for each pair the point
 // (second vertex) - (first vertex).
 struct Simplex {
     int count = 0;
@@ -18,10 +18,10 @@ struct Simplex {
 };
 
 // Returns the support vertices of both solids along the rounded direction between their centers, as a simplex of one
-// pair. It is the start of a search without a witness.
+// pair. A search without a witness starts from it.
 Simplex between_centers(const PosedHulls& hulls) noexcept;
 
-// Returns the smallest simplex that contains the point nearest to the origin, as far as doubles know. It has four pairs
+// Returns the smallest simplex that contains the point nearest to the origin, as far as doubles show. It has four pairs
 // if the origin is inside. `start` must have at least one pair; a nearer start only saves time.
 Simplex run_gjk(const PosedHulls& hulls, const Simplex& start) noexcept;
 

@@ -1,6 +1,6 @@
-// Describes the vertices, edges and faces of a convex solid. A polygon has one face, which counts for both of its
-// sides; a segment has one edge and no face, a point one vertex alone. They do not depend on how its mesh divides faces
-// into triangles and edges into pieces.
+// Describes the vertices, edges and faces of a convex solid. They do not depend on how the solid's mesh divides faces
+// into triangles and edges into pieces. A polygon has one face, which counts for both of its sides; a segment has one
+// edge and no face; a point has only one vertex.
 #pragma once
 
 #include <array>
@@ -39,7 +39,8 @@ struct Hull {
     std::vector<Edge> edges;
     std::vector<Face> faces;
 
-    // By face: its vertices counterclockwise, seen from outside. Each has the edge that leads to the next vertex.
+    // By face: its vertices counterclockwise, seen from outside. Each vertex is stored with the edge that leads to the
+    // next one.
     std::vector<Neighbor> face_cycles;
     // By vertex v: the other ends of its edges, in no promised order, from neighbors_first[v] to neighbors_first[v +
     // 1].

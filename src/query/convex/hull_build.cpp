@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// An edge of the convex set, or a triangle's side that is a piece of such an edge. It runs between two vertices of the
-// mesh, with one face on its left and one on its right, seen from outside.
+// A Piece is an edge of the convex set, or a triangle's side that is a part of such an edge. It runs between two
+// vertices of the mesh, with one face on its left and one on its right, seen from outside.
 struct Piece {
     SideRef name;
     std::uint32_t from, to;
@@ -88,7 +88,7 @@ class Builder {
     }
 
     // Joins all pieces between the same two faces into one edge, because two faces of a convex set share at most one
-    // edge. Its ends are found by compare_points(), which orders the points of a line along the line.
+    // edge. compare_points() finds the ends of this edge: it orders the points of a line along the line.
     void join_pieces() {
         std::ranges::sort(pieces_, {}, [](const Piece& p) { return std::tuple(p.between(), p.name); });
         for (std::size_t i = 0; i < pieces_.size();) {

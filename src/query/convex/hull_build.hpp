@@ -14,19 +14,19 @@
 
 namespace ecods::convex {
 
-// Border holds the triangles that bound a solid. Any two of their sides are the same edge or share at most a point.
+// A Border holds the triangles that bound a solid. Any two of their sides are the same edge or share at most a point.
 struct Border {
     const ProperMesh* proper;
     const MeshEdges* edges;
-    // By triangle: true if its corners turn right, seen from outside. Empty if no triangle's do.
+    // By triangle: true if its corners turn right, seen from outside. Empty if no triangle's corners do.
     std::span<const std::uint8_t> faces_in;
 
-    // `named` is the mesh in which features are named. `origins` gives, by triangle of `proper`, the triangle of
-    // `named` of which it is a piece; it is empty if both are the same mesh.
+    // `named` is the mesh in which features are named. By triangle of `proper`, `origins` holds the triangle of `named`
+    // that contains it as a piece. `origins` is empty if both are the same mesh.
     const ProperMesh* named;
     std::span<const TriangleOrigin> origins;
 
-    exact::VertexSigns signs;  // of the vertices of `proper`
+    exact::VertexSigns signs;  // exact signs of the vertices of `proper`
 
     bool turns_right(std::uint32_t triangle) const noexcept { return !faces_in.empty() && faces_in[triangle] != 0; }
     // Returns the side of a triangle of `named` that contains `side`. If `side` is inside that triangle, the corner of
@@ -46,14 +46,14 @@ inline std::uint32_t opposite_corner(const Triangle& triangle, std::uint32_t sid
 // Returns the sign of the vertex's position relative to the triangle's plane: positive outside the solid. Exact.
 int side_of_plane(const Border& border, std::uint32_t triangle, std::uint32_t vertex) noexcept;
 
-// Builds the hull of a solid, which must be convex. `is_flat` says, by edge, whether its two triangles are in one
-// plane. Cost: n log n.
+// Builds the hull of a solid, which must be convex. `is_flat` says, by edge, whether the edge's two triangles are in
+// one plane. Cost: n log n.
 Hull build_hull(const Border& border, std::span<const std::uint8_t> is_flat);
 
 // Builds the hull of a mesh that covers a flat convex set. Cost: n log n.
 Hull build_flat_hull(const ProperMesh& proper, const FlatMesh& flat);
 
-// Lists the neighbors of each vertex; all other members must be there.
+// Lists the neighbors of each vertex in the hull, from its edges. All other members must be set.
 void add_neighbors(Hull& hull);
 
 }  // namespace ecods::convex

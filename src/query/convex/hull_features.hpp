@@ -11,7 +11,7 @@
 
 namespace ecods::convex {
 
-// Refers to a vertex, an edge or a face of a hull, by its index.
+// A HullFeature refers to a vertex, an edge or a face of a hull, by its index.
 struct HullFeature {
     Feature::Kind kind = Feature::Kind::vertex;
     std::uint32_t index = 0;
@@ -30,8 +30,8 @@ inline bool is_edge_of(const Hull& hull, std::uint32_t edge, std::uint32_t face)
     return hull.edges[edge].faces[0] == face || hull.edges[edge].faces[1] == face;
 }
 
-// Holds those edges of an extreme vertex that are perpendicular to the direction along which the vertex is extreme.
-// There are at most two, both of one face.
+// LevelEdges holds the edges of an extreme vertex that are perpendicular to the direction along which the vertex is
+// extreme. There are at most two; two are edges of one face.
 struct LevelEdges {
     std::size_t count = 0;
     std::array<std::uint32_t, 2> edges{};
@@ -44,21 +44,21 @@ struct LevelEdges {
     HullFeature feature(const Hull& hull, std::uint32_t vertex) const noexcept;
 };
 
-// Holds a vertex that is extreme along a direction, and its edges that are perpendicular to the direction.
+// A Furthest is a vertex that is extreme along a direction, and its edges that are perpendicular to the direction.
 struct Furthest {
     std::uint32_t vertex;
     LevelEdges level;
 };
 
-// Number of neighbors whose signs a climb computes at once.
+// A climb computes the signs of this many neighbors at once.
 inline constexpr std::size_t signs_at_once = 6;
 
 // Moves `at` to a neighbor that is further along a direction, and returns true. If there is no such neighbor, returns
-// false, and sets at.level to the edges to neighbors that are as far: at most two in a convex set, as they are on one
-// face.
+// false, and sets at.level to the edges to neighbors that are as far as the vertex. In a convex set there are at most
+// two, of one face.
 //
-// signs(vertex, neighbors) must return, as an array of signs_at_once, the sign of how much further each neighbor is
-// than the vertex. Signs after the first positive one are ignored.
+// signs(vertex, neighbors) must return, as an array of signs_at_once, the sign of (height of the neighbor - height of
+// the vertex) for each neighbor. Signs after the first positive one are ignored.
 template <class Signs>
 bool climb_once(const Hull& hull, Furthest& at, const Signs& signs) {
     at.level = {};

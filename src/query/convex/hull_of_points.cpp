@@ -1,9 +1,9 @@
 // Implements Quickhull (Barber, Dobkin and Huhdanpaa, The quickhull algorithm for convex hulls, 1996) with exact signs.
 //
-// To add a point, the triangles that it is strictly beyond are replaced by triangles that join their rim to the point.
-// Triangles whose plane contains the point stay, so faces of many triangles grow triangle by triangle. No new triangle
-// has zero area: a point on the line of a rim edge would be in the planes of both triangles of the edge, but it is
-// strictly beyond one of them. Doubles choose the next point, which affects only the time.
+// When a point is added, the triangles that it is strictly beyond are replaced by triangles that join their rim to the
+// point. Triangles whose plane contains the point stay, so a face of many triangles grows triangle by triangle. No new
+// triangle has zero area: a point on the line of a rim edge would be in the planes of both triangles of the edge, but
+// the added point is strictly beyond one of them. Doubles choose the next point, which affects only the time.
 #include "query/convex/hull_of_points.hpp"
 
 #include <algorithm>
@@ -43,15 +43,15 @@ class QuickHull {
   private:
     struct Facet {
         Triangle corners;                        // counterclockwise, seen from outside
-        std::array<std::uint32_t, 3> neighbors;  // by side: the facet beyond it
-        std::uint32_t first = nothing;           // first point of the list of points that are beyond it
+        std::array<std::uint32_t, 3> neighbors;  // by side: the facet on the other side of it
+        std::uint32_t first = nothing;           // first in the list of points that are beyond this facet
         bool is_alive = true;
         bool is_visible = false;
     };
 
     struct RimEdge {
         std::uint32_t from, to;
-        std::uint32_t behind;  // the facet beyond this edge, which stays
+        std::uint32_t behind;  // the facet on the other side of this edge, which stays
     };
 
     const Vec3& at(std::uint32_t i) const noexcept { return points_[i]; }
@@ -61,8 +61,8 @@ class QuickHull {
         return orient3d(at(a), at(b), at(c), at(point)) == Sign::positive;
     }
 
-    // Returns the height of p above the plane of a, b, c, times twice the triangle's area, in doubles. If it overflows,
-    // returns any number.
+    // Returns the height of p above the plane of a, b, c, times twice the triangle's area, in doubles. If the
+    // computation overflows, the result may be any number.
     static double height(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) noexcept {
         return (b - a).cross(c - a).dot(p - a);
     }
@@ -116,8 +116,8 @@ class QuickHull {
         }
     }
 
-    // Puts the point into the list of the first facet that it is beyond, from `first_facet` on, if there is such a
-    // facet.
+    // Puts the point into the list of the first facet, from `first_facet` on, that the point is beyond. If there is no
+    // such facet, the point is in no list.
     void assign(std::uint32_t point, std::size_t first_facet) {
         for (std::size_t i = first_facet; i < facets_.size(); ++i) {
             if (!is_beyond(facets_[i], point)) continue;
@@ -127,7 +127,7 @@ class QuickHull {
         }
     }
 
-    // Removes from a facet's list the point that is furthest, as far as doubles know, and returns it.
+    // Removes the furthest point from a facet's list, and returns it. Doubles decide which point is the furthest.
     std::uint32_t take_furthest(std::uint32_t of) {
         Facet& facet = facets_[of];
         const Vec3 &a = at(facet.corners[0]), &b = at(facet.corners[1]), &c = at(facet.corners[2]);
@@ -145,9 +145,9 @@ class QuickHull {
         return best;
     }
 
-    // Adds a point that is beyond the facet `beyond`. The points in the lists of removed facets are then beyond a new
-    // facet, or inside the hull. Proof: the segment from a point inside a removed facet to such a point is beyond that
-    // facet all the way, so it leaves the new hull through a new facet.
+    // Adds a point that is beyond the facet `beyond`. Each point in the lists of removed facets is then beyond a new
+    // facet, or inside the hull. Proof: the segment from a point inside a removed facet to such a point is beyond the
+    // removed facet all the way, so it leaves the new hull through a new facet.
     void add(std::uint32_t point, std::uint32_t beyond) {
         find_visible(point, beyond);
         const std::size_t first_new = facets_.size();
@@ -179,8 +179,8 @@ class QuickHull {
         }
     }
 
-    // Sets visible_ to the facets that the point is beyond, and rim_ to their rim. The facet `beyond` must be one of
-    // them. They are connected over edges, and the rim is one cycle.
+    // Sets visible_ to the facets that the point is beyond, and rim_ to the rim of these facets. The facet `beyond`
+    // must be one of them. They are connected over edges, and the rim is one cycle.
     void find_visible(std::uint32_t point, std::uint32_t beyond) {
         visible_.assign(1, beyond);
         rim_.clear();

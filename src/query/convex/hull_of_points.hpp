@@ -8,9 +8,9 @@
 
 namespace ecods::convex {
 
-// Returns the triangles that make up the border of the hull, turned outwards; each edge is shared by two of them.
-// Corners are indices of points; among equal points the first one is used. A corner may lie inside a face or an edge of
-// the hull. Empty if all points are in one plane.
+// Returns the triangles that make up the border of the hull, facing outwards; each edge is shared by two of them.
+// Corners are indices of points; of equal points the first is used. A corner may lie inside a face or an edge of the
+// hull. The result is empty if all points are in one plane.
 std::vector<Triangle> triangulate_hull(std::span<const Vec3> points);
 
 }  // namespace ecods::convex

@@ -1,11 +1,11 @@
-// Chooses the pair of features that is named if several pairs are at exactly the least distance, by the rule of
-// ClosestPoints.
+// Chooses, by the rule of ClosestPoints, which pair of features is named if several pairs are at exactly the least
+// distance.
 //
 // All pairs of closest points of two convex sets differ by the same vector, so they are on the features of the two
 // solids that are extreme along this vector. The candidates are these two features, and the edges and vertices of their
 // boundaries. If the sets meet, the vector is that of the shortest translation: let n be the normal of the depth. The
 // features that are extreme along n are in two planes perpendicular to n, whose distance is the depth. So two of their
-// points differ by the vector if and only if their distance is the depth, and otherwise are further apart.
+// points differ by the vector if their distance is the depth; otherwise they are further apart.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -27,7 +27,7 @@ using Kind = Feature::Kind;
 
 using Parts = HullFeaturePair;
 
-// Returns the vertices of a feature; for a face, its first three.
+// Returns the vertices of a feature, padded to three; for a face, its first three.
 std::array<std::uint32_t, 3> corners_of(const Hull& hull, const HullFeature& part) noexcept {
     if (part.kind == Kind::vertex) return {part.index, part.index, part.index};
     if (part.kind == Kind::edge) {
@@ -48,7 +48,8 @@ HullFeatures features_of(const PosedHulls& hulls, const Parts& parts) noexcept {
 
 namespace {
 
-// Returns the distance in the unit of rounded points; infinity if it is not known to all of a double's digits.
+// Returns the distance in the unit of rounded points; infinity if this cannot be computed with the full precision of a
+// double.
 double rounded_distance(const PosedHulls& hulls, const exact::SquaredDistance& square) noexcept {
     if (square.num.is_zero()) return 0;
     const double distance = exact::round_root(square);
@@ -62,15 +63,15 @@ class Naming {
     using Answer = PlanarFeatures::Answer;
 
   public:
-    // `parts` are the features that contain all pairs of points at the least distance, `least` is its square, and
-    // `normal` the direction of `turned` times the vector between two such points.
+    // `parts` are the features that contain all pairs of points at the least distance, and `least` is its square.
+    // `normal` is the rounded direction of `turned` times the vector between two such points.
     Naming(PosedHulls& hulls, const Parts& parts, const exact::SquaredDistance& least, const Vec3& normal, int turned)
         : hulls_(hulls),
           parts_(parts),
           least_(least),
           planar_(hulls, parts, normal, turned * rounded_distance(hulls, least)) {}
 
-    // Lists all pairs at the least distance.
+    // Lists all pairs of features at the least distance.
     void list(std::vector<Parts>& pairs) {
         pairs.clear();
         pairs_ = &pairs;
@@ -84,7 +85,8 @@ class Naming {
         ECODS_ASSERT(!pairs.empty());
     }
 
-    // Tries the kinds of pairs in the order of the rule. The first kind that has a pair at the least distance decides.
+    // Finds the first pair of features: tries the kinds of pairs in the order of the rule. The first kind that has a
+    // pair at the least distance decides.
     Parts find() {
         try_vertices();
         if (has_best_) return best_;
@@ -150,8 +152,8 @@ class Naming {
     FeatureNames names_of(const Parts& parts) const noexcept {
         return {ClosestKind{}, name_of(hulls_.hull(0), parts[0]), name_of(hulls_.hull(1), parts[1])};
     }
-    // True if all pairs are listed; if `parts` precede best_, which are of the same kinds; or if there are no best_
-    // yet.
+    // Returns true if `parts` must be tested: if all pairs are listed, if there is no best_ yet, or if `parts` precede
+    // best_, which is of the same kind.
     bool is_wanted(const Parts& parts) const noexcept {
         return pairs_ != nullptr || !has_best_ || rank(names_of(parts)) < rank(names_of(best_));
     }
@@ -161,9 +163,9 @@ class Naming {
         has_best_ = true;
     }
 
-    // While all pairs are listed, each vertex that is at a vertex of the other polygon, or on an edge of it, keeps its
-    // place there. It is then at no other vertex, on no other edge and not in the face; and two edges that share an end
-    // of one of them cross nowhere else, unless they are parallel.
+    // A Place says where a vertex of one polygon is on the other polygon, at a vertex or on an edge. It is stored while
+    // all pairs are listed. A vertex that has a place is at no other vertex, on no other edge and not in the face; and
+    // two edges that share an end of one of them cross nowhere else, unless they are parallel.
     struct Place {
         Kind kind = Kind::none;
         std::size_t index = 0;
@@ -177,7 +179,7 @@ class Naming {
     std::size_t next(std::size_t side, std::size_t i) const noexcept {
         return i + 1 == planar_.vertex_count(side) ? 0 : i + 1;
     }
-    // True if vertex i of a polygon is placed on edge j of the other one, or at an end of this edge.
+    // Returns true if vertex i of a polygon is placed on edge j of the other one, or at an end of this edge.
     bool is_placed_on(std::size_t side, std::size_t i, std::size_t j) const noexcept {
         const Place& at = places_[side][i];
         if (at.kind == Kind::edge) return at.index == j;
@@ -189,7 +191,8 @@ class Naming {
                is_placed_on(1, next(1, j), i);
     }
 
-    // True if `parts` have exactly the least distance, and their closest points are inside them. They are no face.
+    // Returns true if `parts`, of which none is a face, have exactly the least distance, and their closest points are
+    // in their interiors.
     bool holds(const Parts& parts) {
         const HullFeatures found = features_of(hulls_, parts);
         return with_exact_features(hulls_, found.vertices(),
@@ -202,8 +205,8 @@ class Naming {
                                    });
     }
 
-    // Returns true if the vertex projects to a point inside the face: it is left of all the face's sides, seen along
-    // the normal. Exact.
+    // Returns true if the vertex projects to a point inside the face: seen along the normal, it is left of all the
+    // face's sides. Exact.
     bool is_over(const Parts& parts) {
         constexpr std::size_t at_once = 7;
         const std::size_t of = parts[0].kind == Kind::face ? 0 : 1;
@@ -242,7 +245,7 @@ class Naming {
     std::array<std::vector<Place>, 2> places_{};  // by vertex of each polygon
 };
 
-// Measures the named features: set(result, square, origin, ends, features, f) sets the distance and both points.
+// Measures the named features: set(result, square, origin, ends, features, f) must set the distance and both points.
 template <class SetEnds>
 ClosestPoints measure_named(PosedHulls& hulls, const Parts& parts, const SetEnds& set) {
     const HullFeatures found = features_of(hulls, parts);
@@ -300,7 +303,8 @@ LeastDifference least_of_deepest(PosedHulls& hulls, const HullFeaturePair& extre
     return {extreme, features_of(hulls, extreme), normal, true, is_zero};
 }
 
-// Flat solids may touch in parallel edges, which have no distance of their own.
+// The difference is taken as zero, because flat solids may touch in parallel edges, which have no distance of their
+// own.
 exact::SquaredDistance square_of(PosedHulls& hulls, const LeastDifference& least) {
     return least.is_zero ? exact::SquaredDistance() : square_of(hulls, least.found);
 }

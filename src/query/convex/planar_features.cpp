@@ -55,7 +55,7 @@ int PlanarFeatures::sign(std::size_t side, std::size_t i, const Corner& c) const
     return turn > error ? 1 : turn < -error ? -1 : 0;
 }
 
-// A point outside a convex polygon is on the inner side of some edge and on the outer side of another.
+// Uses that a point outside a convex polygon is on the inner side of some edge and on the outer side of another.
 auto PlanarFeatures::is_inside(std::size_t side, std::size_t i) const noexcept -> Answer {
     std::array<bool, 3> has{};
     for (std::size_t j = 0; j < edge_count(1 - side); ++j) {
@@ -65,7 +65,7 @@ auto PlanarFeatures::is_inside(std::size_t side, std::size_t i) const noexcept -
     return has[1] ? Answer::open : Answer::yes;
 }
 
-// Two segments cross if each has its ends on both sides of the other one's line.
+// Uses that two segments cross if each has its ends on both sides of the other one's line.
 auto PlanarFeatures::do_cross(std::size_t i, std::size_t j) const noexcept -> Answer {
     if (are_apart(of_[0][i], next(0, i), of_[1][j], next(1, j))) return Answer::no;
     Answer answer = Answer::yes;

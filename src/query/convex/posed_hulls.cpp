@@ -23,7 +23,7 @@ double largest_magnitude(const Mat3& R) noexcept {
     return R.cwiseAbs().maxCoeff();
 }
 
-// Represents a difference t - t0 as x 2^exponent, with x rounded once and below 2 in magnitude.
+// A ScaledDifference represents a difference t - t0 as x 2^exponent, with x rounded once and below 2 in magnitude.
 struct ScaledDifference {
     double x = 0;
     int exponent = -exact::BitRange::none;
@@ -64,8 +64,8 @@ PosedHulls::PosedHulls(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
     find_orientation(1);
 }
 
-// Leaves points in their own unit, and returns true, if sizes are ordinary. The entries of R are then multiplied by the
-// power of two by which the mesh's points were divided. Returns false if sizes are not ordinary.
+// Leaves points in their own unit, and returns true, if sizes are ordinary; otherwise returns false. The mesh's points
+// were divided by a power of two, so the entries of R are multiplied by this power.
 bool PosedHulls::scale_plainly() noexcept {
     double largest = 0;
     for (Body& body : bodies_) {
@@ -87,8 +87,8 @@ bool PosedHulls::scale_plainly() noexcept {
     return true;
 }
 
-// Scales points of any size: decodes all numbers from their bits, and divides them by a power of two that leaves the
-// largest number below 2.
+// Scales points of any size: decodes all numbers from their bits, and divides them by a power of two that makes the
+// largest number less than 2.
 void PosedHulls::scale_any() noexcept {
     std::array<ScaledDifference, 3> difference;
     int exponent = -exact::BitRange::none;
@@ -113,7 +113,7 @@ void PosedHulls::scale_any() noexcept {
 
 // Bounds errors as in exact/point/point.hpp. Here each factor is a product of an entry of R, or of a coordinate, and a
 // power of two. Such a product may underflow: for an entry by less than 2^-1022 times 2^300, for others by less than
-// 2^-900 (times_power). It is multiplied by another factor of at most 2^100. All of this together is below 2^-700.
+// 2^-900 (times_power). The other factor is at most 2^100. All of this together is below 2^-700.
 void PosedHulls::find_bounds() noexcept {
     delta_ = 0;
     for (Body& body : bodies_) {
@@ -199,8 +199,8 @@ bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double erro
     if (!is_scanned(side)) return false;
     const Heights heights = this->heights(side, n, error);
     const std::vector<double>& groups = heights.points->groups;
-    // The corners are level with each other. If the last vertex is one of them, its copies are level, too, and are
-    // counted.
+    // Expects the corners, which are level with each other. If the last vertex is one of them, its copies in the groups
+    // are level, too, and are expected as well.
     std::size_t expected = corners.size();
     for (const std::uint32_t vertex : corners) {
         if (vertex == last_vertex(bodies_[side])) expected += groups.size() / 3 - heights.points->vertex_count;
@@ -209,8 +209,8 @@ bool PosedHulls::are_others_behind(std::size_t side, const Point& n, double erro
     return dispatch<count_not_below>(groups.data(), groups.size(), heights.along, least) == expected;
 }
 
-// Climbs from vertex to vertex while the dot product increases. The product has one value for each vertex, so the climb
-// ends.
+// Climbs from vertex to vertex while the dot product increases. The computed product of a vertex is always the same, so
+// the climb ends.
 std::uint32_t PosedHulls::climb(const Body& body, const Point& along, std::uint32_t start) noexcept {
     std::uint32_t at = start;
     double most = exact::dot(along, body.points->at(at));
@@ -257,8 +257,8 @@ PosedHulls::Integers PosedHulls::integers(const std::array<std::span<const std::
     return result;
 }
 
-// Computes the points as short integers, and returns true, if they fit. Points must be in their own unit (exponent_ is
-// 0), so that the offset is t - t0.
+// Computes the points as short integers, and returns true, if they fit. Otherwise returns false. Points must be in
+// their own unit (exponent_ is 0), so that the offset is t - t0.
 bool PosedHulls::find_short(const std::array<std::span<const std::uint32_t>, 2>& vertices,
                             Integers& result) const noexcept {
     if (exponent_ != 0) return false;

@@ -1,8 +1,8 @@
-// Prepares two posed convex solids for questions about the pair: support points by searches in doubles, rounded points
-// with a proven error bound, and exact points.
+// PosedHulls prepares two posed convex solids for questions about the pair: support points by searches in doubles,
+// rounded points with a proven error bound, and exact points.
 //
-// All points are relative to the translation of the first solid's pose. Rounded points are in units of a power of two,
-// 2^exponent(). It is chosen so that at least one of the solids is neither tiny nor immense, and nothing overflows:
+// All points are relative to the translation of the first solid's pose. Rounded points are in units of 2^exponent().
+// The exponent is chosen so that at least one of the solids is neither tiny nor immense, and nothing overflows:
 // coordinates are below 2^110. No cost is proportional to the size of a mesh, with one exception: a search scans all
 // vertices of a hull of up to `scanned_max` vertices.
 #pragma once
@@ -28,7 +28,7 @@ namespace ecods::convex {
 
 using exact::Point;
 
-// Refers to a vertex of the hull of the first solid (side 0) or of the second (side 1).
+// A HullVertex refers to a vertex of the hull of the first solid (side 0) or of the second (side 1).
 struct HullVertex {
     std::size_t side;
     std::uint32_t vertex;
@@ -56,7 +56,8 @@ class PosedHulls {
 
     const Hull& hull(std::size_t side) const noexcept { return *bodies_[side].hull; }
     const Mesh& mesh(std::size_t side) const noexcept { return bodies_[side].solid->mesh(); }
-    // True if the pose reflects the solid. Faces, whose cycles are counterclockwise in the mesh, are then clockwise.
+    // Returns true if the pose reflects the solid. The cycles of faces, which are counterclockwise in the mesh, are
+    // then clockwise.
     bool is_mirrored(std::size_t side) const noexcept { return bodies_[side].is_mirrored; }
 
     // Returns the posed vertex, rounded. Each coordinate is off by at most delta().
@@ -71,11 +72,11 @@ class PosedHulls {
     int exponent() const noexcept { return exponent_; }
 
     // Returns a support vertex along a direction, in doubles. It is at least as far as `start`; if the hull is scanned,
-    // at least as far as all other vertices. If the direction is not finite, returns any vertex.
+    // it is at least as far as every other vertex. If the direction is not finite, returns any vertex.
     std::uint32_t support(std::size_t side, const Point& direction, std::uint32_t start) const noexcept;
-    // Returns a support vertex along a direction, for callers that know no start.
+    // Returns a support vertex along a direction, for callers without a start vertex.
     std::uint32_t support(std::size_t side, const Point& direction) const noexcept;
-    // The greatest number of vertices of a hull whose vertices are scanned. In larger hulls a search climbs over edges.
+    // Hulls of up to this many vertices are scanned. In larger hulls a search climbs over edges.
     static constexpr std::size_t scanned_max = 96;
     bool is_scanned(std::size_t side) const noexcept { return bodies_[side].points->vertex_count <= scanned_max; }
     // Returns support() of a scanned hull, inlined into a caller that is compiled for the instruction set in use.
@@ -86,8 +87,8 @@ class PosedHulls {
     }
 
     // Heights are the dot products of vertices with n, computed in the mesh's coordinates. If n is off by at most
-    // `error` on each axis, a vertex is certainly further than another if its height exceeds the other's by more than
-    // `margin`. Requires delta() of at least 2^-200.
+    // `error` on each axis, a vertex whose height exceeds another's by more than `margin` is certainly further.
+    // Requires delta() of at least 2^-200.
     struct Heights {
         const SupportPoints* points;
         Point along;
@@ -96,7 +97,7 @@ class PosedHulls {
         double of(std::uint32_t vertex) const noexcept { return exact::dot(along, points->at(vertex)); }
     };
     Heights heights(std::size_t side, const Point& n, double error) const noexcept;
-    // Appends to `list`, ascending, the vertices that may be extreme by these heights. Call only for a scanned hull.
+    // Appends to `list`, ascending, the vertices that may be extreme by these heights. Call it only for a scanned hull.
     static void list_furthest(const Heights& heights, std::vector<std::uint32_t>& list);
 
     // Returns true if all vertices of a solid other than `corners` are proven to be behind the corners, along the
@@ -106,7 +107,7 @@ class PosedHulls {
                            std::span<const std::uint32_t> corners) const noexcept;
 
     // Returns the vertices of a triangle of the mesh, which a witness names. A corner that is no vertex of the hull is
-    // replaced by another vertex. If the triangle does not exist, returns three vertices all the same.
+    // replaced by another vertex. If the triangle does not exist, returns the same vertex three times.
     std::array<std::uint32_t, 3> vertices_near(std::size_t side, std::uint32_t triangle) const noexcept;
 
     // Calls `use` with the vertices' exact points as IntegerPoints<Kernel, N>, in the narrowest kernel that holds them,
@@ -114,15 +115,15 @@ class PosedHulls {
     // microseconds on first use, then some tens of nanoseconds; more if the points' digits do not fit into two limbs.
     template <std::size_t N, class Use>
     auto with_integers(const std::array<HullVertex, N>& vertices, Use&& use);
-    // True if exact points fit into two limbs. fixed() then gives these points, in units of 2^fixed_unit().
+    // Returns true if exact points fit into two limbs. fixed() then returns these points, in units of 2^fixed_unit().
     bool has_fixed_points();
     const exact::IntegerVector& fixed(const HullVertex& v) noexcept {
         return memory_.points.at(v.side, mesh_vertex(v));
     }
     int fixed_unit() const noexcept { return memory_.points.unit(); }
 
-    // Holds points of up to three vertices of each solid as integers, in units of 2^unit. They are short integers if
-    // their digits fit. Unless are_exact, the difference of two coordinates is off by less than 5 units.
+    // Integers holds points of up to three vertices of each solid as integers, in units of 2^unit. They are short
+    // integers if their digits fit. Unless are_exact, the difference of two coordinates is off by less than 5 units.
     struct Integers {
         std::array<std::array<exact::IntegerVector, 3>, 2> at;
         int unit;
@@ -131,7 +132,7 @@ class PosedHulls {
     Integers integers(const std::array<std::span<const std::uint32_t>, 2>& vertices);
     // Returns the solid in the form that exact questions take.
     exact::BodyRef body(std::size_t side) const;
-    // Returns a reference to the vertex, in the form in which round_point() takes the origin of other points.
+    // Returns a reference to the vertex, in the form in which round_point() takes the origin of relative points.
     exact::PointRef reference(const HullVertex& v) const noexcept {
         return {bodies_[v.side].at, &mesh(v.side).vertices()[mesh_vertex(v)]};
     }
@@ -143,7 +144,7 @@ class PosedHulls {
         const Hull* hull;
         const SupportPoints* points;
         std::array<Point, 3>
-            rows;      // rows of R, times the power of two that makes them map mesh points to rounded points
+            rows;      // rows of R, times the power of two with which they map mesh points to rounded points
         Point offset;  // t - t0
         double size;
         bool is_mirrored;
@@ -167,7 +168,7 @@ class PosedHulls {
         }
         return along;
     }
-    // Returns the vertex whose copies fill up the last groups.
+    // Returns the last vertex, whose copies fill up the last groups.
     static std::uint32_t last_vertex(const Body& body) noexcept { return body.points->vertex_count - 1; }
     std::uint32_t mesh_vertex(const HullVertex& v) const noexcept {
         return bodies_[v.side].hull->mesh_vertices[v.vertex];

@@ -33,7 +33,7 @@ using exact::times;
 
 using exact::FeatureKind;
 
-// Holds a vector, its largest coordinate in magnitude, and a bound of its error on each axis.
+// A Bounded is a vector, its largest coordinate in magnitude, and a bound of its error on each axis.
 struct Bounded {
     Point x;
     double size;
@@ -72,7 +72,7 @@ BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b) noexcept
     return {x, (a.error + b.error) * (1 + 4 * two_u) + two_u * std::abs(x)};
 }
 
-// Returns (u . u) w - (w . u) u, the part of w that is perpendicular to u, times u . u.
+// Returns (u . u) w - (w . u) u: the part of w that is perpendicular to u, multiplied by u . u.
 Bounded across(const Bounded& w, const Bounded& u) noexcept {
     const double uu = convex::dot(u.x, u.x), wu = convex::dot(w.x, u.x);
     const Point x = minus(times(w.x, uu), times(u.x, wu));
@@ -80,7 +80,7 @@ Bounded across(const Bounded& w, const Bounded& u) noexcept {
     return {x, largest(x), 7 * products + 44 * two_u * (u.size * u.size * w.size)};
 }
 
-// True if the vector's relative error is at most 1/16, as the bounds require.
+// Returns true if the vector's error is at most 1/16 of its size, as the bounds require.
 bool is_certain(const Bounded& a) noexcept {
     return 16 * a.error <= a.size;
 }
@@ -95,13 +95,14 @@ class Proof {
     }
 
     // Returns true if the features contain closest points. Then sets `parts` to the solids' features that are extreme
-    // towards each other, except for a solid whose vertices were all proven to be behind the feature itself.
+    // towards each other. A part stays empty if all other vertices of the solid were proven to be behind the feature in
+    // `found`.
     bool prove(std::array<std::optional<HullFeature>, 2>& parts) {
         if (!find_direction()) return false;
         if (!prove_furthest(0, parts[0]) || !prove_furthest(1, parts[1])) return false;
         return is_inside_ || are_closest_of_triangles(hulls_, found_);
     }
-    // True if the closest points are certainly inside the features, not on their borders.
+    // Returns true if the closest points are certainly inside the features, not on their borders.
     bool is_inside() const noexcept { return is_inside_; }
 
   private:
@@ -109,8 +110,8 @@ class Proof {
         return difference(points_[side][to], points_[side][0], hulls_.delta());
     }
 
-    // Takes a number that is positive if the closest point is inside a feature, and zero on its border. Returns false
-    // if it is certainly negative. Clears is_inside_ unless it is certainly positive.
+    // Checks a number that is positive if the closest point is inside a feature, and zero if it is on its border.
+    // Returns false if the number is certainly negative. Clears is_inside_ unless it is certainly positive.
     bool may_hold(const BoundedNumber& x) noexcept {
         is_inside_ &= x.is_positive();
         return !(x.x < -x.error);
@@ -140,7 +141,7 @@ class Proof {
         if (!is_certain(u)) return false;
         const BoundedNumber along = dot(of == 0 ? w : negated(w), u);
         n_ = across(w, u);
-        if (!(n_.size > n_.error)) return false;  // the vertex may be on the edge
+        if (!(n_.size > n_.error)) return false;  // otherwise the vertex may be on the edge
         return may_hold(along) && may_hold(dot(u, u) - along);
     }
 
@@ -171,15 +172,15 @@ class Proof {
 
     // Returns true if no vertex of a solid is beyond its feature along n_. If a scan proves that all other vertices are
     // behind the feature, leaves `part` unset. Otherwise sets `part` to the hull's feature that contains all vertices
-    // level with it.
+    // level with the feature.
     bool prove_furthest(std::size_t side, std::optional<HullFeature>& part) {
         const Bounded n = side == 0 ? n_ : negated(n_);
         if (hulls_.are_others_behind(side, n.x, n.error, found_.of_side(side))) return true;
         return prove_by_neighbors(side, n, part);
     }
 
-    // Compares the neighbors of the feature's first vertex with it. Neighbors along the feature's own edges need no
-    // test. If doubles leave some of the others undecided, exact signs decide.
+    // Compares the neighbors of the feature's first vertex with this vertex. Neighbors along the feature's own edges
+    // need no test. If doubles leave some of the other neighbors undecided, exact signs decide.
     bool prove_by_neighbors(std::size_t side, const Bounded& n, std::optional<HullFeature>& part) {
         const Hull& hull = hulls_.hull(side);
         const auto corners = found_.of_side(side);
@@ -252,8 +253,8 @@ std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& gues
     if (!(hulls.delta() >= 0x1p-200) || guess.count < 1 || guess.count > 3) return std::nullopt;
     const VertexSets sets(guess);
     const std::array<std::array<std::uint32_t, 3>, 2> triangles{sets.triangle(0), sets.triangle(1)};
-    // A simplex names features directly if its pairs span them with no vertex too many. Otherwise it has more vertices
-    // than the features have, for example at parallel faces. Doubles then guess the closest features of the two
+    // A simplex names features directly if its pairs span them with no vertex too many. Otherwise, for example at
+    // parallel faces, it has more vertices than the features have. Doubles then guess the closest features of the two
     // triangles.
     const bool are_features = static_cast<std::size_t>(guess.count) + 1 == sets.count[0] + sets.count[1];
     ClosestHulls result{are_features ? HullFeatures(triangles, exact::features_of_counts(sets.count[0], sets.count[1]))
@@ -271,8 +272,8 @@ std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& gues
     return result;
 }
 
-// Proves that the origin is inside the tetrahedron. It is if for every three vertices the origin is on the same side of
-// their plane as the fourth vertex.
+// Proves that the origin is inside the tetrahedron: for every three vertices, the origin is on the same side of their
+// plane as the fourth vertex.
 bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
     if (guess.count != 4 || !(hulls.delta() >= 0x1p-200)) return false;
     std::array<Bounded, 4> w;
@@ -281,7 +282,7 @@ bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
         w[i] = {guess.points[i], size, 2 * hulls.delta() + two_u * size};
         if (!is_certain(w[i])) return false;
     }
-    // The origin is inside if det(w_j, w_k, w_l) has the same sign for all four triples, with alternating orders.
+    // This is true if det(w_j, w_k, w_l) has the same sign for all four triples, in alternating orders.
     const auto det = [&](std::size_t i, std::size_t j, std::size_t k) { return dot(cross(w[i], w[j]), w[k]); };
     const std::array<BoundedNumber, 4> dets{det(1, 2, 3), det(0, 3, 2), det(0, 1, 3), det(0, 2, 1)};
     bool are_positive = true, are_negative = true;

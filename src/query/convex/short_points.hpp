@@ -1,5 +1,5 @@
-// Computes the points of two posed hulls as 128-bit integers, if the digits of matrices and vertices fit into 64 bits
-// (ShortMatrix). Points that need more than 120 digits are rounded down, as by IntegerFrame.
+// ShortPoints computes the points of two posed hulls as 128-bit integers, if the digits of matrices and vertices fit
+// into 64 bits (ShortMatrix). Points that need more than 120 digits are rounded down, as by IntegerFrame.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ namespace ecods::convex {
 
 class ShortPoints {
   public:
-    // Returns true if the matrices fit; find() may be called only then. `reach` must be at most 2^100, and at least
-    // half of the largest magnitude of a coordinate of b.t - a.t.
+    // Returns true if the matrices fit; otherwise find() must not be called. `reach` must be at most 2^100, and at
+    // least half of the largest magnitude of a coordinate of b.t - a.t.
     bool bind(const Pose& a, const SupportPoints& points_a, const Pose& b, const SupportPoints& points_b,
               double reach) noexcept;
 
@@ -25,8 +25,8 @@ class ShortPoints {
     bool find(std::size_t side, std::uint32_t vertex, exact::IntegerVector& point) noexcept;
 
     int unit() const noexcept { return unit_; }
-    // True if all points found so far are exact. Otherwise the difference of two coordinates is off by less than 3
-    // units, because products and a difference of translations are each rounded down by less than a unit.
+    // Returns true if all points found so far are exact. Otherwise the difference of two coordinates is off by less
+    // than 3 units, because products and a difference of translations are each rounded down by less than a unit.
     bool is_exact() const noexcept { return lost_ == 0; }
 
   private:

@@ -44,8 +44,8 @@ bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noex
     return least > limit * (std::sqrt(dot(n, n)) * (1 + 8 * two_u));
 }
 
-// Returns the distance if it is at most the limit. Compares exactly only if the rounded distance equals the limit: only
-// then it is open if the real one exceeds it.
+// Returns the distance if it is at most the limit. Only if the rounded distance equals the limit, rounding leaves open
+// whether the real one exceeds it; only then, the two are compared exactly.
 std::optional<double> distance_within(PosedHulls& hulls, const std::optional<ClosestHulls>& closest, double limit) {
     if (!closest) return 0;
     const double distance = round_distance(hulls, closest->found);

@@ -13,10 +13,11 @@
 
 namespace ecods::convex {
 
-// True if R is not singular. The posed solid then has a volume.
+// Returns true if R is not singular.
 bool is_regular(const Pose& pose);
 
-// Holds addresses of a solid's data that a query reads, so that the data can be prefetched. It is only a hint.
+// A SolidInMemory holds addresses of a solid's data that a query reads, so that the data can be prefetched. It is only
+// a hint.
 struct SolidInMemory {
     const void* parts = nullptr;
     const double* points = nullptr;
@@ -32,21 +33,21 @@ struct SolidInMemory {
     static void prefetch_parts(const ConvexSolid& solid) noexcept;
 };
 
-// These start from the triangles of the witness, and leave those of the closest features.
+// The next functions start from the triangles of the witness, and leave triangles of the closest features in it.
 double distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness);
 // Returns nullopt if the solids share a point. If radii are given, points and distance are those of the rounded solids.
 std::optional<ClosestPoints> closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
                                      PairWitness& witness, const exact::Radii& radii = {});
-// Returns the distance less the margin, rounded once; 0 if the margin is at least the distance.
+// Returns the distance minus the margin, rounded once; 0 if the margin is at least the distance.
 double distance_beyond(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::ExactSum& margin,
                        QueryMemory& memory, PairWitness& witness);
-// True if the real distance is within the limit, which must not be zero.
+// Returns true if the real distance is within the limit, which must not be zero.
 bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Limit& limit, QueryMemory& memory,
             PairWitness& witness);
 
-// Answer questions for lists of many pairs, without a witness and without any other work. The first returns the
-// distance, rounded once, if the real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0, or
-// infinity.
+// Answer questions about many pairs of a list, without a witness. The first returns the distance, rounded once, if the
+// real distance is at most `limit`; otherwise nullopt. `limit` must be >= 0, or infinity. The second returns true if
+// the solids share a point.
 std::optional<double> distance_within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit,
                                       QueryMemory& memory);
 
