@@ -1,4 +1,4 @@
-// Finds the border of a set of triangles that are removed from a surface.
+// Finds the border of the region that a set of removed triangles leaves in a surface.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace ecods::depths {
 
-// An edge: its first end is in the upper 32 bits, its second end in the lower 32 bits.
+// A BorderEdge is a directed edge: its first end is in the upper 32 bits, its second end in the lower 32 bits.
 using BorderEdge = std::uint64_t;
 
 // Adds the edges of a triangle to the `count` edges of `border`, and returns the new count, at most count + 3. An edge

@@ -9,7 +9,8 @@
 
 namespace ecods::depths {
 
-// Refers to a posed convex solid. `body` has the mesh to whose vertices the hull refers, and the extent of that mesh.
+// A ConvexBody refers to a posed convex solid. `body` has the mesh whose vertices the hull refers to, and the extent of
+// that mesh.
 struct ConvexBody {
     const convex::Hull* hull;
     exact::BodyRef body;

@@ -22,7 +22,7 @@ ConvexPair pair_of(convex::PosedHulls& hulls);
 // Returns the depth of two convex solids; nullopt if they share no point.
 std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory);
 
-// Returns the depth with the names of the features.
+// Returns the depth as a question gives it, with the names of the features.
 Depth depth_of(convex::PosedHulls& hulls, const ExactDepth& found);
 
 // Describes the pairs of points that the translation of a depth brings together.

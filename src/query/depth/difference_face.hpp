@@ -11,8 +11,8 @@
 
 namespace ecods::depths {
 
-// A vertex p of the first solid minus a vertex q of the second, both as indices in the hulls. The Minkowski difference
-// of two convex solids is the convex hull of all these points.
+// A DifferenceVertex is a vertex p of the first solid minus a vertex q of the second, both as indices in the hulls. The
+// Minkowski difference of two convex solids is the convex hull of all these points.
 struct DifferenceVertex {
     std::uint32_t p = 0;
     std::uint32_t q = 0;
@@ -21,15 +21,15 @@ struct DifferenceVertex {
     friend bool operator==(const DifferenceVertex&, const DifferenceVertex&) = default;
 };
 
-// A face of the Minkowski difference: the feature of the first solid that is extreme along the face's outer normal, and
-// the feature of the second solid that is extreme in the opposite direction. One of the two is a face, or both are
-// edges that are not parallel. A polygon's face has two normals.
+// A DifferenceFace is a face of the Minkowski difference. It is given by the feature of the first solid that is extreme
+// along the face's outer normal, and the feature of the second solid that is extreme in the opposite direction. One of
+// the two is a face, or both are edges that are not parallel. A polygon's face has two normals.
 using DifferenceFace = std::array<convex::HullFeature, 2>;
 
 // Orders faces at exactly the same distance, so that one can be chosen: faces of the first solid come first, then faces
 // of the second, then pairs of edges. If a polygon is a face of both sides of the difference, the other solid's feature
-// decides: a vertex before an edge before a face, then by name. No two faces of the Minkowski difference, which lies in
-// no plane, are equal in this order.
+// decides: a vertex before an edge before a face, then by name. If the Minkowski difference does not lie in a plane, no
+// two of its faces are equal in this order.
 inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFace& y) noexcept {
     const auto rank = [](const DifferenceFace& f) -> std::array<std::uint32_t, 4> {
         const auto kind = [&](std::size_t side) { return static_cast<std::uint32_t>(f[side].kind); };
@@ -40,10 +40,11 @@ inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFa
     return rank(x) <=> rank(y);
 }
 
-// Reduces the lists `levels` to their vertices that are furthest along a normal. Returns the furthest vertex if it is
-// further than `corner`; otherwise nullopt, and the lists then hold the vertices that are as far as the corner. The
-// lists must contain all vertices that are extreme along the normal, or for the second solid in the opposite direction.
-// further(side, from, to) must return the sign of how much further vertex `to` is than vertex `from`.
+// Reduces the lists `levels` to their vertices that are furthest along a normal. Returns the furthest vertex of the
+// difference if it is further than `corner`; otherwise nullopt, and the lists then hold the vertices that are as far as
+// the corner. The lists must contain all vertices that are extreme along the normal, or for the second solid in the
+// opposite direction. further(side, from, to) must return the sign of (height of vertex `to` - height of vertex
+// `from`).
 template <class Further>
 std::optional<DifferenceVertex> keep_level(std::array<std::vector<std::uint32_t>, 2>& levels,
                                            const DifferenceVertex& corner, Further&& further) {

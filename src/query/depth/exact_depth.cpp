@@ -9,7 +9,7 @@
 namespace ecods::depths {
 namespace {
 
-// Calls `use` with the vertices of both solids as integers, of as many limbs as all of them need.
+// Calls `use` with the vertices of both solids as integers, with as many limbs as the largest of them needs.
 template <class Use>
 auto with_points(const ConvexPair& pair, Use&& use) {
     const PairTerms terms(pair);

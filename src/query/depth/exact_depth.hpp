@@ -1,4 +1,4 @@
-// Finds the depth of two convex solids in integers alone. It works for every finite input, but is expensive.
+// Finds the depth of two convex solids in integers alone. This works for every finite input, but is expensive.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace ecods::depths {
 
-// Holds the face of the Minkowski difference that is nearest to the origin (the first one of ties), its distance, and
-// its outer unit normal; the numbers are rounded once.
+// An ExactDepth holds the face of the Minkowski difference that is nearest to the origin (the first one of ties), its
+// distance, and its outer unit normal. The numbers are rounded once.
 struct ExactDepth {
     DifferenceFace face;
     double depth = 0;
     Vec3 direction = Vec3::Zero();
 };
 
-// Returns the depth; nullopt if the solids share no point. The Minkowski difference must lie in no plane.
+// Returns the depth; nullopt if the solids share no point. The Minkowski difference must not lie in a plane.
 //
 // The algorithm grows the hull of some points of the Minkowski difference. It picks a face nearest to the origin; the
 // distance counts as negative if the origin is beyond the face. While that face is not in a face of the whole
@@ -33,8 +33,8 @@ struct ExactDepth {
 std::optional<ExactDepth> exact_depth(const ConvexPair& pair);
 
 // Returns the depth of two flat solids that share a point, which is 0, if their Minkowski difference lies in a plane;
-// otherwise nullopt. The face is then all of the difference. Cost: constant, but for a sign for each vertex of a solid
-// beside a polygon.
+// otherwise nullopt. The face consists of both whole solids. Cost: constant; if one is a polygon, also a sign for each
+// vertex of the other.
 std::optional<ExactDepth> depth_in_plane(const ConvexPair& pair);
 
 // Returns the depth, given the nearest face. `corners` must be three vertices of the Minkowski difference in the plane
@@ -48,7 +48,7 @@ ExactDepth measure_exactly(const ConvexPair& pair, const DifferenceFace& face,
 std::optional<DifferenceVertex> keep_level(const ConvexPair& pair, const std::array<DifferenceVertex, 3>& corners,
                                            std::array<std::vector<std::uint32_t>, 2>& levels);
 
-// True if `vertex` is strictly beyond the plane through the three `corners`.
+// Returns true if `vertex` is strictly beyond the plane through the three `corners`.
 bool is_beyond_exactly(const ConvexPair& pair, const std::array<DifferenceVertex, 3>& corners,
                        const DifferenceVertex& vertex);
 

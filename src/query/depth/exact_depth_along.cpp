@@ -13,7 +13,7 @@ namespace {
 
 using exact::Integer;
 
-// A direction as integers in a unit of its own.
+// A Direction is a direction as integers in a unit of its own.
 struct Direction {
     std::array<exact::Dyadic, 3> x;
     exact::BitRange digits;
@@ -36,7 +36,7 @@ struct Direction {
     }
 };
 
-// The order of planes in which a line from the origin leaves through them.
+// LeftFirst orders planes by where a line from the origin leaves through them.
 template <int L>
 struct LeftFirst {
     exact::LimbVector<L> d;
@@ -45,7 +45,8 @@ struct LeftFirst {
         return exact::dot<2 * L, L>(plane.n, d);
     }
 
-    // Planes that have the origin beyond them; planes through the origin; planes that the line meets; others.
+    // Returns 0 for planes that have the origin beyond them, 1 for planes through the origin, 2 for planes that the
+    // line meets, and 3 for others.
     int rank(const ExactPlane<L>& plane) const noexcept {
         return plane.side < 0 ? 0 : plane.side == 0 ? 1 : exact::sign<3 * L>(along(plane)) > 0 ? 2 : 3;
     }
@@ -65,7 +66,7 @@ Integer integer(const exact::Magnitude<L>& x) {
     return {exact::without_leading_zeros(x.limbs), x.negative != 0};
 }
 
-// Sets parameter and length: h / n . d, and that times |d|.
+// Sets the parameter, h / n . d, and the length, which is the parameter times |d|.
 template <int L>
 void measure(const ExactPlane<L>& plane, const LeftFirst<L>& order, int unit, int unit_of_d, ExactDepthAlong& result) {
     if (plane.side == 0) return;

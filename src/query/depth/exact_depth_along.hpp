@@ -1,4 +1,4 @@
-// Finds in integers how far two convex solids share inner points along a direction.
+// Finds in integers how far two convex solids overlap along a direction.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 namespace ecods::depths {
 
 struct ExactDepthAlong {
-    DifferenceFace face;  // through which the line from the origin leaves the Minkowski difference, the first of ties
+    DifferenceFace face;  // the face through which the line from the origin leaves the difference, the first of ties
     double parameter = 0, length = 0;
     Vec3 normal = Vec3::Zero();  // the face's outer unit normal
 };
@@ -17,9 +17,9 @@ struct ExactDepthAlong {
 // Returns where the points s d, s >= 0, leave the Minkowski difference; nullopt if the solids share no point. If the
 // origin is on the border, s is 0, and the face is the first that contains the origin. d must be finite, and not zero.
 //
-// The line leaves a convex polytope that contains the origin through the plane n . x = h with the least h / n . d, of
-// those with n . d > 0. So this is the search of exact_depth() in another order of planes. Planes that tie at the end
-// contain the point where the line leaves. There, the polytope that has grown is bounded by planes of faces of the
+// The line leaves a convex polytope that contains the origin through the plane n . x = h with the least h / n . d,
+// among the planes with n . d > 0. So this is the search of exact_depth() with another order of planes. Planes that tie
+// at the end contain the point where the line leaves. There, the grown polytope is bounded by planes of faces of the
 // whole difference, which contains the polytope: both have the same planes there.
 std::optional<ExactDepthAlong> exact_depth_along(const ConvexPair& pair, const Vec3& d);
 

@@ -62,15 +62,15 @@ class ExactDifferences {
         return result;
     }
 
-    // Returns the sign of how much further vertex `to` is than vertex `from`: along n for the first solid, and against
-    // n for the second.
+    // Returns the sign of (height of vertex `to` - height of vertex `from`). Heights are along n for the first solid,
+    // and against n for the second.
     int beyond(std::size_t side, const Normal& n, const Point& from, const Point& to) const noexcept {
         const int s = exact::sign<3 * L>(exact::dot<2 * L, L>(n, exact::difference<L>(to, from)));
         return side == 0 ? s : -s;
     }
 
-    // Returns a vertex of one solid that is extreme along n (for the second solid, against n), and its edges that are
-    // level with it.
+    // Returns a vertex of one solid that is extreme along n (for the second solid, against n), and its edges to
+    // vertices that are as far.
     convex::Furthest furthest(std::size_t side, const Normal& n, std::uint32_t from) const {
         const auto signs = [&](std::uint32_t vertex, std::span<const convex::Hull::Neighbor> neighbors) {
             std::array<int, convex::signs_at_once> result{};

@@ -1,4 +1,4 @@
-// Grows the polytope of exact_depth.hpp, in integers of L limbs.
+// Grows the polytope that exact_depth.hpp describes, in integers of L limbs.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace ecods::depths {
 
-// Holds a plane n . x = h through vertices of the Minkowski difference.
+// An ExactPlane is a plane n . x = h through vertices of the Minkowski difference.
 template <int L>
 struct ExactPlane {
     exact::LimbVector<2 * L> n;
@@ -33,8 +33,8 @@ struct ExactPlane {
         side = exact::sign<3 * L>(h);
         const auto hh = exact::multiply<3 * L, 3 * L>(h.limbs, h.limbs);
         near = exact::leading_digits(exact::without_leading_zeros(hh), exact::without_leading_zeros(nn.limbs));
-        // Shortens 128 digits to 127, so that all planes have equally many digits, whose order is the order of the
-        // quotients. is_exact stays true only if no nonzero digit is dropped.
+        // Shortens 128 digits to 127, so that all planes have equally many digits, and the order of the digits is the
+        // order of the quotients. is_exact stays true only if no nonzero digit is dropped.
         if (near.digits >> 127 != 0) {
             near.is_exact &= (near.digits & 1) == 0;
             near.digits >>= 1;
@@ -57,7 +57,8 @@ struct ExactPlane {
     }
 };
 
-// Returns the sign of (distance of plane x) - (distance of plane y), both from the origin, along the plane's normal.
+// Returns the sign of (distance of plane x from the origin) - (distance of plane y). A distance is signed: it is
+// measured along the plane's normal.
 template <int L>
 int compare(const ExactPlane<L>& x, const ExactPlane<L>& y) noexcept {
     if (x.side != y.side) return x.side < y.side ? -1 : 1;
@@ -70,14 +71,14 @@ int compare(const ExactPlane<L>& x, const ExactPlane<L>& y) noexcept {
     return further(exact::compare(x.square(0), y.square(0)));
 }
 
-// The order of planes by their distances from the origin.
+// NearestFirst orders planes by their distances from the origin.
 template <int L>
 struct NearestFirst {
     int operator()(const ExactPlane<L>& x, const ExactPlane<L>& y) const noexcept { return compare(x, y); }
 };
 
-// Finds the first face of the Minkowski difference in an order of planes; the order must put planes that have the
-// origin beyond them first, and must make all faces that tie at the end contain a common point of the border.
+// Finds the first face of the Minkowski difference in an order of planes. The order must put planes that have the
+// origin beyond them first, and all faces that tie at the end must contain a common point of the border.
 template <int L, class Order = NearestFirst<L>>
 class ExactExpansion {
   public:
@@ -86,7 +87,7 @@ class ExactExpansion {
 
     struct Found {
         DifferenceFace face;
-        const ExactPlane<L>* plane;  // valid as long as the expansion
+        const ExactPlane<L>* plane;  // valid as long as the expansion lives
     };
     // Returns the first face, the first by name if several tie; nullopt if the solids share no point.
     std::optional<Found> find() {
@@ -111,7 +112,7 @@ class ExactExpansion {
     using Corners = std::array<std::uint32_t, 3>;
 
     struct Face {
-        Corners at;  // indices of vertices_, counterclockwise from outside
+        Corners at;  // indices of vertices_, counterclockwise seen from outside
         std::array<DifferenceVertex, 3> corners;
         ExactPlane<L> plane;
         bool is_final = false;  // true if the face is in the plane of a face of the whole difference
@@ -144,8 +145,8 @@ class ExactExpansion {
         add_vertex({beside->vertex, 0});
     }
 
-    // Adds four vertices for a flat first solid: its own minus one vertex of the second solid, then one of its own
-    // minus those of the second. Together they span the difference.
+    // Adds four vertices for a flat first solid: vertices of the first solid minus one vertex of the second, then one
+    // vertex of the first minus vertices of the second. Together they span the difference.
     void add_spanning() {
         add_vertex({0, 0});
         for (const std::size_t side : {0, 1}) {
@@ -156,7 +157,7 @@ class ExactExpansion {
         }
     }
 
-    // True if the point, which is none of the up to three vertices, is not on their line or in their plane.
+    // Returns true if the point, which is none of the up to three vertices, is not on their line or in their plane.
     bool leaves_span(const Point& m) const noexcept {
         const std::vector<Point>& at = points_at_;
         if (at.size() == 1) return true;
@@ -189,9 +190,9 @@ class ExactExpansion {
     }
 
     // Adds a vertex w, at the point m, that is strictly outside the polytope. Faces that w is strictly beyond are
-    // replaced by triangles that join w to their border. Faces whose plane contains w stay. The new triangles have an
-    // area even at such a face: w is strictly beyond the face on the other side of the border edge, and so not in line
-    // with that edge.
+    // replaced by triangles that join w to their border. Faces whose plane contains w stay. A new triangle at such a
+    // face has an area, too: w is strictly beyond the face on the other side of the border edge, and so not on the line
+    // of that edge.
     void add(const DifferenceVertex& w, const Point& m) {
         const std::uint32_t apex = add_vertex(w);
         std::uint32_t border_count = 0;

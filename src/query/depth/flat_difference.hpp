@@ -1,4 +1,4 @@
-// Finds out if the Minkowski difference of two flat convex solids lies in a plane, in integers of L limbs.
+// Decides whether the Minkowski difference of two flat convex solids lies in a plane, in integers of L limbs.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class FlatDifference {
     // Both solids must be flat.
     explicit FlatDifference(const ExactDifferences<L>& points) : points_(points) {}
 
-    // Returns the depth 0 along the normal that Depth promises; nullopt if the difference lies in no plane.
+    // Returns the depth 0, with the normal that Depth promises; nullopt if the difference does not lie in a plane.
     std::optional<ExactDepth> find() const {
         const std::optional<Normal> n = normal();
         if (!n) return std::nullopt;
@@ -65,7 +65,7 @@ class FlatDifference {
         return exact::across<L>({});
     }
 
-    // True if the solid lies in a plane perpendicular to n.
+    // Returns true if the solid lies in a plane perpendicular to n.
     bool is_level(std::size_t side, const Normal& n) const noexcept {
         for (std::uint32_t v = 1; v < hull(side).vertex_count(); ++v) {
             if (exact::sign<3 * L>(exact::dot<2 * L, L>(n, between(side, 0, v))) != 0) return false;

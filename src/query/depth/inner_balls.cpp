@@ -34,7 +34,7 @@ class BallSearch {
         }
         climb(half_ / 3);
         if (hint) {
-            // Starts the second search from scratch: a good point may be far from the best point so far.
+            // Starts the second search without the best point so far, because a good point may be far from it.
             const double most = most_;
             most_ = -number_max;
             count_ = 0;
@@ -80,8 +80,7 @@ class BallSearch {
         ++count_;
         const double r = radius(a_, point), s = radius(b_, point);
         // The sum and the product each round by at most 2^-52, so the value is rounded down. If the sum is subnormal or
-        // nearly so, it is exact, and the product rounds at most to the sum. If the sum overflows, it is above
-        // number_max.
+        // nearly so, it is exact, and the product is at most the sum. If the sum overflows, it is above number_max.
         const double value = r > 0 && s > 0 ? std::min((r + s) * (1 - 0x1p-50), number_max) : std::min({r, s, 0.0});
         if (!(value > most_)) return;
         best_ = point;

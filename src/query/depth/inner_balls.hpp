@@ -7,15 +7,15 @@
 
 namespace ecods::depths {
 
-// Says where a search begins, in addition to its own beginning: around `middle`, with steps of length `step`.
+// A BallHint says where a second search begins: around `middle`, with steps of length `step`.
 struct BallHint {
     Vec3 middle;
     double step;
 };
 
 // Returns the largest r + s found, rounded down, where balls of radii r and s around one point are inside the two
-// solids; 0 if no point inside both solids was found. It is a lower bound of the depth: after a translation shorter
-// than r + s the two balls still meet, and so do the solids' interiors.
+// solids; 0 if no point inside both solids was found. The result is a lower bound of the depth: after a translation
+// shorter than r + s the two balls still share inner points, and so do the solids.
 double find_inner_balls(const Posed<Solid>& a, const Posed<Solid>& b, const std::optional<BallHint>& hint,
                         QueryMemory& memory);
 

@@ -38,7 +38,7 @@ void InnerPolytope::add_space() {
     for (auto* list : {&nx_, &ny_, &nz_, &length_, &n_error_, &h_error_}) list->resize(size);
     nearness_.resize(size, -infinity);
     corners_.resize(size);
-    vertices_.resize(size);  // every vertex but three adds at least two faces
+    vertices_.resize(size);  // every vertex after the first three adds at least two faces
     visible_.resize(size);
     h_.resize(size);  // resized last, because has_space() reads its size
 }
@@ -76,7 +76,7 @@ void InnerPolytope::set_face(std::uint32_t i, std::uint32_t a, std::uint32_t b, 
     corners_[i] = {a, b, c};
 }
 
-// Makes a tetrahedron of the first four vertices, and returns true. Returns false if they may be in one plane.
+// Makes a tetrahedron of the first four vertices, and returns true. Returns false if the vertices may be in one plane.
 bool InnerPolytope::set_tetrahedron() {
     const auto x = minus(vertices_[1].m, vertices_[0].m), y = minus(vertices_[2].m, vertices_[0].m), n = cross(x, y);
     const double above = dot(n, minus(vertices_[3].m, vertices_[0].m));
@@ -103,7 +103,7 @@ bool InnerPolytope::begin() {
     const Point e{1 + s * ray[0] * ray[0] * a, s * b, -s * ray[0]}, f{b, s + ray[1] * ray[1] * a, -ray[1]};
     upper_ = infinity;
     constexpr std::array<Point, 4> ways{{{1, 0, 0.375}, {-0.5, 0.875, 0.375}, {-0.5, -0.875, 0.375}, {0, 0, -1}}};
-    // This is a loop because add_support() is always inlined: so its code occurs once here.
+    // A loop has one copy of the code of add_support(), which is always inlined.
     for (const auto& [x, y, z] : ways) {
         add_support(
             {x * e[0] + y * f[0] + z * ray[0], x * e[1] + y * f[1] + z * ray[1], x * e[2] + y * f[2] + z * ray[2]});
@@ -150,8 +150,8 @@ std::uint32_t InnerPolytope::find_visible() {
     return count;
 }
 
-// Sets border_ to the edges of visible faces, without edges between two visible faces. Returns their number, or 0 if
-// there are too many.
+// Sets border_ to the edges of visible faces, without edges between two visible faces. Returns the number of these
+// edges, or 0 if there are too many.
 std::uint32_t InnerPolytope::find_border(std::uint32_t visible_count) {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < visible_count; ++i) {
@@ -201,8 +201,8 @@ void InnerPolytope::remove_face(std::uint32_t i) noexcept {
     nearness_[last] = -infinity;
 }
 
-// Grows the polytope. Every step adds a vertex or ends the search. Rounding may let the same vertex be added again, so
-// the number of steps is limited.
+// Grows the polytope. Every step adds a vertex or ends the search. Rounding may add the same vertex again, so the
+// number of steps is limited.
 InnerPolytope::End InnerPolytope::grow() {
     if (!begin()) return End::unknown;
     std::size_t steps = 64 + 4 * (hulls_->hull(0).vertex_count() + hulls_->hull(1).vertex_count());

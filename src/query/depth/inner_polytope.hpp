@@ -1,7 +1,7 @@
-// Grows a polytope of vertices of the Minkowski difference of two convex solids, in doubles, towards the faces of the
-// difference that are nearest to the origin.
+// InnerPolytope grows a polytope of vertices of the Minkowski difference of two convex solids, in doubles, towards the
+// faces of the difference that are nearest to the origin.
 //
-// The faces of the polytope are triangles, turned outwards. They form a closed surface whatever rounding does: removed
+// The faces of the polytope are triangles, facing outwards. They form a closed surface whatever rounding does: removed
 // faces leave a border, and new faces join a vertex to that border. The proof in nearest_planes.hpp uses this property
 // alone.
 #pragma once
@@ -20,7 +20,7 @@ namespace ecods::depths {
 class InnerPolytope {
   public:
     enum class End : std::uint8_t {
-        nearest,  // as far as doubles know, no vertex is beyond the nearest face
+        nearest,  // in doubles, no vertex is beyond the nearest face
         apart,    // proven: a plane has the whole difference on one side and the origin on the other
         unknown,  // undecided; integers must decide
     };
@@ -40,8 +40,8 @@ class InnerPolytope {
     double upper() const noexcept { return upper_; }
     bool is_upper_proven() const noexcept { return hulls_->is_scanned(0) && hulls_->is_scanned(1); }
 
-    // Calls visit(i) for each face, except faces that are proven to be further from the origin than upper() and to have
-    // the origin on their inner side.
+    // Calls visit(i) for each face, except faces that are proven to be further from the origin than upper(), with the
+    // origin on their inner side.
     template <class Visit>
     void visit_near(Visit&& visit) const {
         for (std::uint32_t i = 0; i < face_count_; ++i) {
@@ -50,9 +50,8 @@ class InnerPolytope {
         }
     }
 
-    // Adds a vertex, which must be strictly beyond some face. For a face whose plane doubles cannot compare with the
-    // vertex, is_beyond(face) must return true if the vertex is strictly beyond. Returns false if the border is too
-    // long.
+    // Adds a vertex, which must be strictly beyond some face. Where doubles cannot decide whether the vertex is beyond
+    // a face, is_beyond(face) must return whether it is strictly beyond. Returns false if the border is too long.
     template <class IsBeyond>
     bool insert(const DifferenceVertex& v, IsBeyond&& is_beyond) {
         if (!has_space()) add_space();
@@ -93,7 +92,7 @@ class InnerPolytope {
     ECODS_ALWAYS_INLINE void set_face(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept;
     void remove_face(std::uint32_t i) noexcept;
     void add_space();
-    // True if the lists have space for one more step, with faces read four at a time.
+    // Returns true if the lists have space for one more step, with faces read four at a time.
     bool has_space() const noexcept {
         return face_count_ + border_max + 4 <= h_.size() && vertex_count_ + 8 <= vertices_.size();
     }

@@ -5,7 +5,7 @@
 namespace ecods::depths {
 namespace {
 
-// True if the ascending list `level` contains the vertex.
+// Returns true if the ascending list `level` contains the vertex.
 bool contains(const std::vector<std::uint32_t>& level, std::uint32_t v) noexcept {
     if (level.size() > 8) return std::ranges::binary_search(level, v);
     return std::ranges::find(level, v) != level.end();
@@ -29,8 +29,9 @@ void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face
 
 // Lists the vertices that may be extreme, for a solid that is not scanned. Begins at a vertex `top` that is nearly
 // extreme, and follows edges between vertices that may be extreme. All other neighbors of listed vertices are certainly
-// less far. So the exactly furthest listed vertex is at least as far as all its neighbors, and hence extreme in the
-// whole solid. Edges between listed vertices connect it to all vertices that are as far.
+// less far than the furthest listed vertex. So the exactly furthest listed vertex is at least as far as all its
+// neighbors, and hence extreme in the whole solid. Edges between listed vertices connect it to all vertices that are as
+// far.
 void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::Heights& heights, std::uint32_t top,
                                    Level& level) {
     const convex::Hull& hull = hulls_->hull(side);
@@ -77,10 +78,10 @@ std::optional<convex::HullFeature> NearestPlanes::feature_of(std::size_t side, c
     return is_face ? std::optional(feature) : std::nullopt;
 }
 
-// Returns true if the plane certainly contains all vertices of these features, which are all vertices near it. The
-// first corner's vertices are in the plane. For an edge it suffices that a second vertex is, and for a face that a
-// second and a third vertex are, since no three vertices of a face are on one line. A vertex of one solid is known to
-// be in the plane if it forms a corner together with the vertex that the other solid has in the first corner.
+// Returns true if the plane certainly contains all vertices of the two features, which are all vertices near the plane.
+// The vertices of the first corner are in the plane. For an edge it suffices that a second vertex is, and for a face
+// that a second and a third vertex are, since no three vertices of a face are on one line. A vertex of one solid is
+// known to be in the plane if it forms a corner together with the vertex that the other solid has in the first corner.
 bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& features) const {
     const auto is = [&](Feature::Kind a, Feature::Kind b) { return features[0].kind == a && features[1].kind == b; };
     // Three vertices determine the plane of their two edges, or of their face.
@@ -109,7 +110,7 @@ bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& f
     return true;
 }
 
-// Returns the vertex furthest beyond the plane, among the vertices near it that levels_ lists. If no vertex is beyond,
+// Returns the vertex furthest beyond the plane, from the vertices near it that levels_ lists. If no vertex is beyond,
 // returns nullopt and reduces the lists to the vertices in the plane.
 std::optional<DifferenceVertex> NearestPlanes::keep_ties(const Plane& plane) {
     auto& levels = levels_[plane.levels];
@@ -136,7 +137,7 @@ FixedPlane NearestPlanes::plane_of(const std::array<DifferenceVertex, 3>& corner
     return {{difference(corners[0]), difference(corners[1]), difference(corners[2])}, hulls_->fixed_unit(), is_exact_};
 }
 
-// Appends the plane of `face` to planes_ if it is the plane of a face of M, and returns in_plane. If it is not, returns
+// If the plane of `face` is the plane of a face of M, appends it to planes_ and returns in_plane. If it is not, returns
 // not_in_plane and sets `beyond` to a vertex beyond it. Returns thin or unknown if neither is proven.
 auto NearestPlanes::add(const InnerPolytope::Face& face, DifferenceVertex& beyond) -> Found {
     if (!(face.length > 4 * face.n_error)) return Found::thin;
@@ -171,8 +172,8 @@ bool NearestPlanes::is_beyond(const InnerPolytope::Face& face, const DifferenceV
     return plane.sign_along(exact::difference(difference(v), difference(face.corners[0]))) > 0;
 }
 
-// Fills planes_ with the planes of all faces of S that may be nearest, except thin faces, which go to thin_. Returns
-// false if it cannot prove them complete.
+// Fills planes_ with the planes of all faces of S that may be nearest, except thin faces, whose corners it adds to
+// thin_. Returns false if it cannot prove that none is left out.
 bool NearestPlanes::find_planes(InnerPolytope& polytope) {
     for (int steps = 0; steps < steps_max; ++steps) {
         thin_.clear();
@@ -195,7 +196,7 @@ bool NearestPlanes::find_planes(InnerPolytope& polytope) {
     return false;
 }
 
-// True if each thin face is in a known plane, or is further than the nearest plane.
+// Returns true if each thin face is in a known plane, or is further than the nearest plane.
 bool NearestPlanes::thin_faces_are_further(const Plane& nearest) const {
     return std::ranges::all_of(thin_, [&](const auto& corners) {
         return is_in_known_plane(corners) || compare_exactly(*pair_, corners, nearest.corners) > 0;

@@ -8,16 +8,16 @@
 // the planes of (2).
 //
 // Proof. Let o be the origin; if d = 0, moved toward the interior of M by as little as needed. The point o is strictly
-// on the inner side of all faces of S; for the faces of (2), because the interior of M is. So S winds around o a
-// positive number of times. S winds equally often around all points of the ball of radius d around the origin, which no
-// face enters. Points around which a surface winds are in the hull of its corners, and so in M. Hence the origin is in
-// M, and no plane of a face of M is nearer than d.
+// on the inner side of all faces of S; for the faces of (2), because the interior of M is on the inner side of their
+// planes. So S winds around o a positive number of times. S winds equally often around all points of the ball of radius
+// d around the origin, since no face enters this ball. Points around which a surface winds are in the hull of its
+// corners, and so in M. Hence the origin is in M, and no plane of a face of M is nearer than d.
 //
 // Now suppose that F is a face of M whose plane is at distance d and is none of (2). Let x be the point of that plane
-// nearest to the origin, or if d = 0 a point inside F as close to the origin as needed. It is on the border of M. But
-// it is strictly on the inner side of every face of S, or in the closed ball and not on S. For faces of (1) are further
-// away; and a plane of (2) that contains x contains it on the border of M, where it touches the ball, too, and so is
-// the plane of F. So S winds around a neighborhood of x, which then is in M: x is not on the border of M, a
+// nearest to the origin, or if d = 0 a point inside F as close to the origin as needed. Then x is on the border of M.
+// But x is strictly on the inner side of every face of S, or in the closed ball and not on S: faces of (1) are further
+// away; and a plane of (2) that contains x contains it on the border of M, where this plane touches the ball, too, and
+// so is the plane of F. So S winds around a neighborhood of x, which then is in M: x is not on the border of M, a
 // contradiction.
 #pragma once
 
@@ -38,15 +38,15 @@ class NearestPlanes {
     // outer nullopt if it can prove neither.
     //
     // If a face of the polytope may be nearest, but is in no plane of a face of M, a vertex beyond this face is added
-    // to the polytope. Such steps are exact.
+    // to the polytope. The tests of such a step are exact.
     using Shown = std::optional<ExactDepth>;
     std::optional<Shown> find(const ConvexPair& pair, convex::PosedHulls& hulls, InnerPolytope& polytope);
 
   private:
-    // Vertices of a solid that are equally far along a normal.
+    // A Level lists the vertices of a solid that are, or may be, equally far along a normal.
     using Level = std::vector<std::uint32_t>;
 
-    // Holds the plane of a face of M, and the features of both solids that are in the plane.
+    // A Plane holds the plane of a face of M, and the features of both solids that are in the plane.
     struct Plane {
         std::array<DifferenceVertex, 3> corners;
         FixedPlane fixed;
@@ -55,7 +55,7 @@ class NearestPlanes {
         int side = 0;        // sign of the plane's distance from the origin
     };
 
-    // Classifies a face of S by its plane.
+    // Found classifies a face of S by its plane.
     enum class Found : std::uint8_t { in_plane, thin, not_in_plane, unknown };
 
     bool find_planes(InnerPolytope& polytope);
@@ -75,14 +75,14 @@ class NearestPlanes {
     int compare(const Plane& x, const Plane& y) const;
     FixedPlane::Vector point(std::size_t side, std::uint32_t vertex) const;
 
-    // Limit of the number of exact steps; if it is reached, integers alone find the depth.
+    // Limits the number of exact steps. If the limit is reached, integers alone find the depth.
     static constexpr int steps_max = 64;
 
     const ConvexPair* pair_ = nullptr;
     convex::PosedHulls* hulls_ = nullptr;
     bool is_exact_ = false;  // true if the fixed points of both solids are exact
     std::vector<Plane> planes_;
-    // Corners of faces of S that are too thin for a normal in doubles.
+    // The corners of faces of S that are too thin to have a normal in doubles.
     std::vector<std::array<DifferenceVertex, 3>> thin_;
     std::array<std::vector<std::uint32_t>, 2> marks_;  // by vertex
     std::uint32_t mark_ = 0;

@@ -1,5 +1,5 @@
-// Searches for partings by heuristics. No computation here has to be right, because are_parted() confirms each
-// result.
+// Searches for translations that part two solids, by heuristics. No computation here has to be right, because
+// are_parted() confirms each result.
 #include "query/depth/parting_search.hpp"
 
 #include <algorithm>
@@ -14,25 +14,26 @@
 namespace ecods::depths {
 namespace {
 
-// The number of directions that are tried (best ones first), and the number of contact normals that are followed from
-// each.
+// These limit the number of directions that are tried (best ones first), and the number of contact normals that are
+// followed from each direction.
 constexpr std::size_t direction_count_max = 6;
 constexpr int normal_count_max = 3;
 
-// The amounts by which a translation is lengthened, one after the other, until it parts the solids. They are relative
-// to the numbers whose difference the translation is.
+// A translation is lengthened by these amounts, one after the other, until it parts the solids. The amounts are
+// relative to the numbers whose difference the translation is.
 constexpr std::array<double, 6> margins{0, 0x1p-52, 0x1p-50, 0x1p-46, 0x1p-38, 0x1p-26};
 
-// Limits of the length of a path after the contact, relative to the whole path. A contact's time is known to 2^-52 of
-// the path, so to 2^-46 of a part as short as `short_part`. A part below `unknown_part` may be so short that its length
-// does not show whether the path is worth following.
+// These limit the length of the path after the contact, relative to the whole path. A contact's time is known to 2^-52
+// of the path, so to 2^-46 of a part as short as `short_part`. A part below `unknown_part` may be so short that its
+// length does not show whether the path is worth following.
 constexpr double short_part = 0x1p-6, unknown_part = 0x1p-20;
 
 const exact::MeshExtent& extent_of(const Posed<Solid>& solid) {
     return MeshShapeAccess::tree(*solid.what).extent;
 }
 
-// Returns an upper bound of |v|. Three quotients, their squares, a root and a product are off by less than 2^-48 of it.
+// Returns an upper bound of |v|. Three quotients, their squares, a root and a product together have a relative error of
+// less than 2^-48.
 double length_above(const Vec3& v) noexcept {
     const double most = v.cwiseAbs().maxCoeff();
     // Below 2^-900, rounding errors are no longer relative to the number.
@@ -101,10 +102,10 @@ void PartingSearch::try_length(const Vec3& direction, double length) {
 }
 
 // Slides the second solid along a path from outside up to the first contact, and returns this contact. The time of a
-// contact resolves 2^-53 of the path, which is as long as the solids are large. If the path is the best so far, and the
-// part after the contact is short, casts again along that part alone, lengthened by the roundings of the longer cast.
-// This is repeated until the part is no longer short, or is below a rounding error of the smaller solid's size. If the
-// other solid is 2^k times as large, there are up to k / 48 + 2 more casts.
+// contact has a resolution of 2^-53 of the path, which is as long as the solids are large. If the path is the best so
+// far, and the part after the contact is short, casts again along that part alone, lengthened by the roundings of the
+// longer cast. This is repeated until the part is no longer short, or is below a rounding error of the smaller solid's
+// size. If the other solid is 2^k times as large, there are up to k / 48 + 2 more casts.
 std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
     double known = best_.length;
     std::optional<FirstContact> contact = slide_once(way);
@@ -115,7 +116,7 @@ std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
         known = best_.length;
         rest.reach *= part + 0x1p-48;
         const std::optional<FirstContact> again = slide_once(rest);
-        if (!again || !(again->time > 0)) break;  // the solids are nowhere apart in this part
+        if (!again || !(again->time > 0)) break;  // otherwise the solids share a point along the whole part
         contact = again;
     }
     return contact;
@@ -140,8 +141,8 @@ std::optional<FirstContact> PartingSearch::slide_once(const Direction& way) {
     return contact;
 }
 
-// Returns corner i of the triangle of a contact feature, relative to its body's translation. `second` selects the
-// second solid. It is the moving one, so it comes first in the contact.
+// Returns corner i of the triangle of a contact feature, relative to its body's translation: of the second solid if
+// `second`, otherwise of the first. The second solid is the moving one, so its feature is contact.a.
 Vec3 PartingSearch::corner(bool second, const FirstContact& contact, std::uint32_t i) const {
     const Posed<Solid>& solid = second ? b_ : a_;
     const Feature& f = second ? contact.a : contact.b;
@@ -154,15 +155,15 @@ Vec3 PartingSearch::contact_point(const FirstContact& contact, const Vec3& parte
     if (contact.b.kind == Feature::Kind::vertex) return corner(false, contact, 0) + a_.pose.t;
     const Vec3 p = corner(true, contact, 0) + parted;
     if (contact.kind != ClosestKind::edge_edge) return p;
-    // Returns the point of the second solid's edge that is nearest to the line of the first solid's edge.
+    // The result is the point of the second solid's edge that is nearest to the line of the first solid's edge.
     const Vec3 u = corner(true, contact, 1) - corner(true, contact, 0);
     const Vec3 v = corner(false, contact, 1) - corner(false, contact, 0), n = u.cross(v);
     const Vec3 w = corner(false, contact, 0) + a_.pose.t - p;
     return p + u * (w.cross(v).dot(n) / n.dot(n));
 }
 
-// Returns the normal of the features that touch, on the side to which the second solid leaves; nullopt if they have
-// none.
+// Returns the normal of the features that touch, on the side to which the second solid leaves; nullopt if the features
+// determine none.
 std::optional<Vec3> PartingSearch::contact_normal(const FirstContact& contact, const Vec3& along) const {
     const auto edge = [&](bool second, std::uint32_t i) -> Vec3 {
         return corner(second, contact, i) - corner(second, contact, 0);

@@ -1,5 +1,5 @@
-// Searches for a short translation of the second of two solids that parts their interiors. Every translation is
-// confirmed by solid_relation(); of convex solids of which one is flat, by depth().
+// Searches for a short translation of the second of two solids that parts their interiors. Every result is confirmed by
+// solid_relation(), or by depth() if both solids are convex and one is flat.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace ecods::depths {
 
-// Holds a translation for the pose of the second solid, and an upper bound of its distance from the pose's present
-// translation.
+// A Parting is a translation for the pose of the second solid, and an upper bound of its distance from the pose's
+// present translation.
 struct Parting {
     Vec3 parted = Vec3::Zero();
     double length = std::numeric_limits<double>::infinity();

@@ -13,14 +13,15 @@
 // where |n| is the sum of the magnitudes of n's coordinates. A factor of 1 + 2^-20 covers terms of higher order and the
 // roundings of the bounds themselves.
 //
-// E. No two rounded points of a solid are further apart on an axis than size(), which includes four delta. So the
-// points of a solid are at most half of size(), and delta, from its center, which is the middle of a box of the mesh.
+// E is computed from size(): no two rounded points of a solid are further apart on an axis than size(), which includes
+// four delta. So the points of a solid are at most half of size(), and delta, from its center, which is the middle of a
+// box of the mesh.
 //
-// Reach: how far the true difference extends along n, computed from vertices p and q that support() found. A height in
-// the mesh's coordinates is off by less than 1.5 delta |n| (PosedHulls::heights), so the highest vertex is less than 3
-// delta |n| above p. The rounded point of p is off by delta |n| along n, its product with n by 3.1 u' V |n|, and 4.25
-// u' V <= delta: together less than 4.8 delta |n| for each solid. The difference of the products and the sum with the
-// bound round by less than delta |n| more: 12 delta |n| covers all of this.
+// Reach is how far the true difference extends along n. It is computed from vertices p and q that support() found. A
+// height in the mesh's coordinates is off by less than 1.5 delta |n| (PosedHulls::heights), so the highest vertex is
+// less than 3 delta |n| above p. The rounded point of p is off by delta |n| along n, its product with n by 3.1 u' V
+// |n|, and 4.25 u' V <= delta: together less than 4.8 delta |n| for each solid. The difference of the products and the
+// sum with the bound round by less than delta |n| more: 12 delta |n| covers all of this.
 //
 // Underflow loses less than 2^-1000 altogether. As delta is at least 2^-200, and E between delta and 2^200, a bound of
 // 2^-800 covers it. Scenes beyond these limits are left to integers.
@@ -46,7 +47,7 @@ struct RoundedBounds {
                      0.5 * (hulls.size(0) + hulls.size(1)) + 2 * delta)),
           e_x(slack * (4 * delta + 4 * two_u * E)) {}
 
-    // True if the bounds hold. Comparisons with a NaN are false, so a NaN makes the result false.
+    // Returns true if the bounds hold. Comparisons with a NaN are false, so a NaN makes the result false.
     bool hold() const noexcept { return delta >= 0x1p-200 && delta <= E && E <= 0x1p200; }
 
     double of_normal(double X, double Y) const noexcept {

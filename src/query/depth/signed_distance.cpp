@@ -15,7 +15,7 @@ SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSo
     return depths::signed_distance(a, b, {}, ask);
 }
 
-// Asks for the distance first: a search that fails costs least for solids that are apart, and little for others.
+// Searches for the distance first. For solids that are apart, this answers; for others, the failed search costs little.
 SignedDistance depths::signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                        const exact::Radii& radii, const Ask& ask) {
     Asking asking(ask);

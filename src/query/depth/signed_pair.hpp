@@ -8,8 +8,8 @@
 
 namespace ecods::depths {
 
-// Returns the distance of the solids less the radii, or minus the sum of their depth and the radii, with the points of
-// the rounded solids. Counts as a question. Throws SingularPose.
+// Returns the distance of the solids minus the radii; if the solids share a point, minus the sum of their depth and the
+// radii. The points are those of the rounded solids. Counts as a question. Throws SingularPose.
 SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Radii& radii,
                                const Ask& ask);
 
