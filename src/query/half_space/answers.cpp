@@ -1,7 +1,7 @@
 // Answers the questions of half_space.hpp about a body and a half space, from the body's lowest vertices.
 //
-// A rounded body is asked about as its core is: the ball around a point reaches as far below the point everywhere, so
-// the signed distance is that of the core less the radius.
+// Questions about a rounded body are answered from its core. A ball around a point reaches as far below the point
+// everywhere, so the signed distance of a rounded body is that of its core minus the radius.
 #include <optional>
 
 #include "base/double_key.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 using exact::ScaledInteger;
 
-// A question about a body and a half space, under way.
+// Asked is one question about a body and a half space.
 class Asked {
   public:
     Asked(const CoreAndRadius& body, const Posed<HalfSpace>& half_space, const Ask& ask)
@@ -43,7 +43,7 @@ class Asked {
 
     bool intersects() { return has_radius() ? is_within(0) : reaches_plane(shape(), heights_, asking_.memory()); }
 
-    // Decides if the real distance is at most max_distance, which is finite.
+    // Returns true if the real distance is at most max_distance, which must be finite.
     bool is_within(double max_distance) {
         find_lowest();
         const HeightBounds h = heights_.bounds(vertex());
@@ -102,8 +102,8 @@ class Asked {
     }
 
   private:
-    // Casts the ball around the lowest vertex, whose center is above the plane: it is at the height r |N| at the time
-    // (h - r |N|) / -rise.
+    // Casts the ball around the lowest vertex, whose center is above the plane. The center is at the height r |N| at
+    // the time (h - r |N|) / -rise.
     std::optional<FirstContact> cast_ball(const ScaledInteger& rise, double latest) {
         FirstContact contact{0, ClosestKind::vertex_face, feature(), plane_feature};
         if (sign_of_distance(heights_) <= 0) return contact;
@@ -118,11 +118,12 @@ class Asked {
     const ScaledInteger& square() const { return plane_.exact().square; }
     const MeshShape& shape() const noexcept { return *body_.boundary().what; }
 
-    // The lowest vertex, which the next functions are about.
+    // Finds the lowest vertex, which the next functions use.
     void find_lowest() { lowest_ = half_spaces::find_lowest(shape(), heights_, asking_.memory()); }
     const Vec3& vertex() const noexcept { return shape().mesh().vertices()[lowest_.vertex]; }
     ScaledInteger height() const { return heights_.exact(vertex()); }
-    // Returns the signed distance, and the points of the body and the plane that are that far from each other.
+    // Returns the signed distance, and the points of the body and of the plane that are at this distance from each
+    // other.
     ClosestPoints lowest_points(const ScaledInteger& height) const {
         const exact::ScaledLongVector point = exact::posed_point(body_.boundary().pose, vertex());
         return {round_ratio(height, square(), -radius()), ClosestKind::vertex_face,         feature(), plane_feature,
@@ -134,14 +135,14 @@ class Asked {
         return feature;
     }
 
-    // Returns the sign of the distance of the lowest vertex, less the radius.
+    // Returns the sign of (distance of the lowest vertex from the plane - radius).
     int sign_of_distance(const Heights& heights) const {
         if (!has_radius()) return heights.sign(vertex());
         const ScaledInteger height = heights.exact(vertex());
         return height.sign() <= 0 ? -1 : compare_ratio(height, square(), radius());
     }
 
-    // True if no point is above the plane: if the highest vertex is as deep as the radius, or deeper.
+    // Returns true if no point is above the plane: the highest vertex is at least as deep as the radius.
     bool is_inside() {
         const Heights depths(plane_, body_.boundary().pose, Heights::Side::below);
         const Corner highest = half_spaces::find_lowest(shape(), depths, asking_.memory());
@@ -151,7 +152,7 @@ class Asked {
 
     Asking asking_;
     PosedBody body_;
-    bool is_solid_;  // the body as given; its boundary may be another mesh
+    bool is_solid_;  // true if the given body is a solid with an inside; its boundary may be another mesh
     double radius_;
     Plane plane_;
     Heights heights_;

@@ -1,4 +1,4 @@
-// Walks the corners of a posed mesh's triangles that may be at most so high above a half space.
+// Walks the corners of a posed mesh's triangles that may have at most a given height above a half space.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace ecods::half_spaces {
 
 struct Memory final : QueryMemoryPart {
-    // A corner whose height, or time, may be the least one, and a lower bound of it.
+    // A Candidate is a corner whose height, or time, may be the least one, and a lower bound of this height or time.
     struct Candidate {
         Corner corner;
         double low;
@@ -40,8 +40,8 @@ inline void keep_one_a_vertex(std::vector<Memory::Candidate>& candidates) {
     candidates.erase(later.begin(), later.end());
 }
 
-// Calls take(corner) for the corners in the parts of the tree that may have points at most limit() high, until it
-// returns true. limit() may fall meanwhile.
+// Calls take(corner) for the corners in the parts of the tree that may have points with heights of at most limit().
+// Ends when take() returns true. limit() may decrease meanwhile.
 template <class Limit, class Take>
 void walk_below(const BoxHeights& boxes, QueryMemory& memory, const Limit& limit, const Take& take) {
     const MeshBvh& tree = boxes.tree();

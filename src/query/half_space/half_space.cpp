@@ -1,4 +1,4 @@
-// Defines the shape, its box, and where lines hit it.
+// Defines the shape HalfSpace, its box, and its hits.
 #include "ecods/half_space.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool is_zero(double x) noexcept {
     return coordinate_bits(x) == 0;
 }
 
-// A segment or ray, as the points begin + s step.
+// A LineAsked is a segment or ray, as the points begin + s step.
 struct LineAsked {
     explicit LineAsked(const Segment& segment)
         : begin(segment.a), end(segment.b), is_direction(false), is_point(same_point(segment.a, segment.b)), last(1) {}
@@ -43,13 +43,13 @@ struct LineAsked {
     ScaledInteger rise(const Plane& plane) const {
         return is_direction ? plane.along(end) : plane.along(end) - plane.along(begin);
     }
-    // Sets the point and the parameter at s to the nearest doubles.
+    // Sets `parameter` to s and `point` to the point at s, each rounded to the nearest double.
     void place(const exact::FractionRef& s, double& parameter, Vec3& point) const {
         const exact::RoundedOnLine rounded = exact::round_on_line(begin, end, is_direction, s);
         parameter = rounded.parameter;
         point = rounded.point;
     }
-    // The last point of the line; at infinity if the ray has no end.
+    // Sets `parameter` and `point` to those of the line's last point, which is at infinity if the ray has no end.
     void place_last(double& parameter, Vec3& point) const {
         if (last < infinity) return place(exact::fraction_of(last).ref(), parameter, point);
         parameter = infinity;
@@ -59,12 +59,12 @@ struct LineAsked {
         }
     }
 
-    Vec3 begin, end;  // `end` is the step itself if is_direction
+    Vec3 begin, end;  // `end` is the direction if is_direction, otherwise a point
     bool is_direction, is_point;
     double last;  // the largest parameter
 };
 
-// The hit of a line that lies in the plane.
+// Returns the hit of a line that lies in the plane.
 Hit hit_along(const LineAsked& line) {
     Hit hit;
     hit.kind = line.is_point ? HitKind::face : HitKind::along;
@@ -114,7 +114,7 @@ Aabb HalfSpace::box(const Pose& pose) const {
     const auto& N = plane.exact().N;
     const auto is_not_zero = [](const ScaledInteger& x) { return x.sign() != 0; };
     if (std::ranges::count_if(N, is_not_zero) > 1) return box;
-    // Only one coordinate of N is not zero: the half space ends on that axis, where N x = E + N . t.
+    // Only one coordinate of N is not zero, so the half space ends on that axis, where N x = E + N . t.
     const auto found = std::ranges::find_if(N, is_not_zero);
     const ScaledInteger& n = *found;
     const auto axis = found - N.begin();

@@ -25,7 +25,7 @@ ScaledInteger turned(const ScaledInteger& x, int sign) {
     return sign < 0 ? -x : x;
 }
 
-// Returns the cross product of |a| and |b| with sums in place of differences: the magnitudes of the terms of a x b.
+// Returns the cross product of |a| and |b| with sums in place of differences. It bounds the terms of a x b.
 Vec3 cross_size(const Vec3& a, const Vec3& b) {
     const Vec3 x = a.cwiseAbs(), y = b.cwiseAbs();
     return {x[1] * y[2] + x[2] * y[1], x[2] * y[0] + x[0] * y[2], x[0] * y[1] + x[1] * y[0]};
@@ -35,7 +35,7 @@ double dot(const Vec3& a, const Vec3& b) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 
-// False if a coordinate is NaN.
+// Returns false also if a coordinate is NaN.
 bool is_moderate(const Vec3& v) {
     return std::abs(v[0]) <= size_max && std::abs(v[1]) <= size_max && std::abs(v[2]) <= size_max;
 }
@@ -151,7 +151,7 @@ BoxHeights::BoxHeights(const Heights& heights, const MeshBvh& tree) noexcept : t
     corner_margin_ = margin_ + 1.01 * corner_error * ((P_size_[0] + P_size_[1]) + P_size_[2]);
 }
 
-// Written such that a NaN, for which no comparison holds, keeps its lane.
+// The comparison is negated so that it keeps a lane whose bound is NaN.
 std::uint32_t BoxHeights::lanes_below(const BvhNode& node, double limit) const noexcept {
     std::uint32_t lanes = 0;
     for (std::size_t i = 0; i < tree_width; ++i) {

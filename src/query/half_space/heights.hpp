@@ -1,30 +1,30 @@
-// Heights of points above the plane of a posed half space: by doubles with a proven bound, and exactly.
+// Computes heights of points above the plane of a posed half space: by doubles with a proven bound, and exactly.
 //
-// Let the half space be { x : n . x <= d } at the pose x -> R x + t, and s the sign of det R. With the cofactors C of
-// R, which are det R times the inverse transposed, its image is { y : N . (y - t) <= E }, N = s C n, E = s det R d. So
-// the height of a body's point R' v + t' is
+// Let the half space be { x : n . x <= d } at the pose x -> R x + t, and s the sign of det R. Let C be the cofactors of
+// R: det R times the inverse transposed. The image of the half space is { y : N . (y - t) <= E }, N = s C n, E = s det
+// R d. So the height of a body's point R' v + t' is
 //
 //     h(v) = M . v + c,    M = R'^T N,    c = N . (t' - t) - E,
 //
-// which is |N| times the signed distance from the plane. All of it is a polynomial in the given doubles.
+// which is |N| times the signed distance from the plane. It is a polynomial in the given doubles.
 //
-// Bound. u' = 2^-52 bounds one operation in any rounding mode; contraction to fused operations leaves roundings out.
-// Each term of the polynomial goes through these roundings: C 2 (a product, a difference); N 3 more for a product and
-// two sums, so 5; M 8; M . v 11; t' - t 1, N . (t' - t) 9; det R 5, E 6; c 10; h 12. So h is off by less than 12.1 u'
-// times the sum of the magnitudes of all terms. That sum is computed in the same order from magnitudes, which has a
-// relative error of 12.1 u', and subtracting the bound from h rounds once more: 16 u' covers all of it. For the boxes
-// of the mesh's tree, v = center + map y with |y| <= 2 on each axis: P = M map has 11 roundings, P . y 14, M . center +
-// c 12, the sum and the difference of both ends of a box 16, the margin one: 24 u' times the sum of magnitudes. Corners
-// of leaves are off by corner_error on each axis, so heights by that times |P| (1, 1, 1); 1.01 of it covers its
-// roundings.
+// Bound. u' = 2^-52 bounds one operation in any rounding mode; fused operations only leave out roundings. Each term of
+// the polynomial goes through these roundings: C 2 (a product, a difference); N 3 more for a product and two sums, so
+// 5; M 8; M . v 11; t' - t 1, N . (t' - t) 9; det R 5, E 6; c 10; h 12. So h is off by less than 12.1 u' times the sum
+// of the magnitudes of all terms. That sum is computed in the same order from magnitudes, which has a relative error of
+// 12.1 u', and subtracting the bound from h rounds once more: 16 u' covers all of it. For the boxes of the mesh's tree,
+// v = center + map y with |y| <= 2 on each axis: P = M map has 11 roundings, P . y 14, M . center + c 12, the sum and
+// the difference of both ends of a box 16, the margin one: 24 u' times the sum of magnitudes. Corners of leaves are off
+// by corner_error on each axis, so heights by corner_error times |P| (1, 1, 1); a factor of 1.01 covers the roundings
+// of this product.
 //
 // If no given number, and no coordinate, exceeds 2^100, nothing overflows: no term has more than five factors, or is
 // greater than 2^500, and there are fewer than 2^10. An operation that underflows, or takes a subnormal number for
 // zero, loses less than 2^-1021, which four more factors and 2^10 terms make less than 2^-600.
 //
-// |N| is off by the length of the errors of N, which is at most 5.01 u' |sizes of N|, and 3 u' of itself for the sum of
-// squares and 0.6 u' for the root; times d, 8 u' (|N| + |sizes of N|) d covers it. Squares that
-// underflow lose less than 2^-1020 together, and the root less than 2^-510.
+// The length |N| is off by the length of the errors of N, which is at most 5.01 u' |sizes of N|, and 3 u' of itself for
+// the sum of squares and 0.6 u' for the root; times d, 8 u' (|N| + |sizes of N|) d covers it. Squares that underflow
+// lose less than 2^-1020 together, and the root less than 2^-510.
 // Claim: verify/proofs/plane_heights.py
 #pragma once
 
@@ -37,15 +37,15 @@
 
 namespace ecods::half_spaces {
 
-// Bounds of a height; infinite if doubles are not precise enough.
+// HeightBounds are a lower and an upper bound of a height; infinite if doubles are not precise enough.
 struct HeightBounds {
     double low, high;
 };
 
-// The plane of a posed half space: N and E, by doubles and exactly.
+// A Plane is the plane of a posed half space: N and E, by doubles and exactly.
 class Plane {
   public:
-    // Throws SingularPose, which names the half space as this argument of the question.
+    // Throws SingularPose, which names the half space as argument number `argument` of the question.
     explicit Plane(const Posed<HalfSpace>& posed, int argument = 1);
 
     struct Exact {
@@ -60,7 +60,7 @@ class Plane {
     // Returns N . vector.
     exact::ScaledInteger along(const Vec3& vector) const;
 
-    // Return bounds of |N| d, d >= 0.
+    // Returns bounds of |N| d, for d >= 0.
     HeightBounds times_length(double d) const noexcept;
 
   private:
@@ -75,16 +75,16 @@ class Plane {
     mutable std::optional<Exact> exact_;
 };
 
-// The heights of the points of a posed body. `plane` must outlive this object.
+// Heights computes the heights of the points of a posed body. `plane` must outlive this object.
 class Heights {
   public:
-    // Which heights: those above the plane, or their negatives, the depths below it.
+    // Chooses heights above the plane, or their negatives, the depths below the plane.
     enum class Side : signed char { above = 1, below = -1 };
     Heights(const Plane& plane, const Pose& body, Side side = Side::above);
 
     HeightBounds bounds(const Vec3& v) const noexcept;
     exact::ScaledInteger exact(const Vec3& v) const;
-    int sign(const Vec3& v) const;  // by the bounds, and exactly if they do not decide
+    int sign(const Vec3& v) const;  // decided by the bounds, otherwise exactly
 
     const Plane& plane() const noexcept { return plane_; }
 
@@ -105,19 +105,19 @@ class Heights {
     mutable std::optional<Exact> exact_;
 };
 
-// Bounds the heights of the boxes of a body's tree, which must outlive this object.
+// BoxHeights bounds the heights of the boxes of a body's tree, which must outlive this object.
 class BoxHeights {
   public:
     BoxHeights(const Heights& heights, const MeshBvh& tree) noexcept;
 
     const MeshBvh& tree() const noexcept { return tree_; }
 
-    // Returns a lower bound of the heights of a box, which has its center and half size on each axis; -infinity or NaN
-    // if there is none.
+    // Returns a lower bound of the heights of a box with this center and half size; -infinity or NaN if doubles give no
+    // bound.
     double low(const std::array<float, 3>& center, const std::array<float, 3>& half) const noexcept {
         return below(center[0], center[1], center[2], half[0], half[1], half[2]);
     }
-    // Return a mask of the children, or triangles, of which some point may be at most `limit` high.
+    // Return the set of children, or of triangles, that may have a point at a height of at most `limit`.
     std::uint32_t lanes_below(const BvhNode& node, double limit) const noexcept;
     std::uint32_t lanes_below(const TreeLeaf& leaf, double limit) const noexcept;
 

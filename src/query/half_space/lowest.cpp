@@ -13,7 +13,8 @@ namespace {
 
 using Candidate = Memory::Candidate;
 
-// Returns an upper bound of the least height: that of a corner in the leaf at the end of the lowest boxes.
+// Returns an upper bound of the least height. It descends into the lowest box of each node, and takes the lowest corner
+// of the leaf that it reaches.
 double dive(const MeshShape& shape, const Heights& heights, const BoxHeights& boxes) {
     const MeshBvh& tree = boxes.tree();
     TreeRef at = tree.root;
@@ -40,7 +41,8 @@ double dive(const MeshShape& shape, const Heights& heights, const BoxHeights& bo
     return high;
 }
 
-// Decides among corners by their exact heights, one for each vertex; the first name of the least height.
+// Returns the candidate with the least exact height; of equal heights, the first by name. Compares one corner for each
+// vertex.
 Corner decide(const MeshShape& shape, const Heights& heights, std::vector<Candidate>& candidates) {
     keep_one_a_vertex(candidates);
     const Corner* best = &candidates.front().corner;

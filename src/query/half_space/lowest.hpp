@@ -10,7 +10,7 @@
 
 namespace ecods::half_spaces {
 
-// A corner of a triangle, and the vertex there.
+// A Corner is a corner of a triangle, and the vertex there.
 struct Corner {
     std::uint32_t triangle, index, vertex;
 
@@ -18,13 +18,13 @@ struct Corner {
     std::pair<std::uint32_t, std::uint32_t> name() const noexcept { return {triangle, index}; }
 };
 
-// The feature of a half space that answers name: its plane.
+// Answers name this feature of a half space: its plane, as the face of triangle 0.
 inline constexpr Feature plane_feature{Feature::Kind::face, 0, 0};
 
-// Returns a corner of the least height: of all these, the first by triangle and corner.
+// Returns the corner with the least height; if several have it, the first by triangle and corner.
 Corner find_lowest(const MeshShape& shape, const Heights& heights, QueryMemory& memory);
 
-// True if a vertex of a triangle has a height of at most zero. Cheaper than the lowest one.
+// Returns true if a vertex of a triangle has a height of at most zero. Cheaper than find_lowest().
 bool reaches_plane(const MeshShape& shape, const Heights& heights, QueryMemory& memory);
 
 }  // namespace ecods::half_spaces

@@ -1,7 +1,7 @@
 // Answers casts of bodies between poses against half spaces that are translated or at rest.
 //
-// The height of each vertex is linear in time then: N is the same at all times. A vertex with the height h0 > 0 at the
-// start and h1 <= 0 at the end reaches the plane at the time h0 / (h0 - h1), which does not fall if h0 or h1 grows.
+// The height of each vertex is then linear in time, because N does not change. A vertex with the height h0 > 0 at the
+// start and h1 <= 0 at the end reaches the plane at the time h0 / (h0 - h1), which does not decrease if h0 or h1 grows.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -19,10 +19,11 @@ namespace ecods {
 namespace half_spaces {
 namespace {
 
-// Covers the roundings of a quotient, of its divisor, and of the factor itself, in any rounding mode.
+// This factor covers the roundings of a quotient, of its divisor, and of the factor itself, in any rounding mode.
 constexpr double slack = 0x1p-50;
 
-// A lower and an upper bound of the time. If bounds of heights are infinite, numbers may be NaN, and so prove nothing.
+// TimeBounds are a lower and an upper bound of the time. If bounds of heights are infinite, they may be NaN, and then
+// prove nothing.
 struct TimeBounds {
     TimeBounds(const HeightBounds& h0, const HeightBounds& h1) noexcept {
         const double from = std::max(h0.low, 0.0), until = std::min(h1.high, 0.0);
@@ -46,8 +47,8 @@ class MovingHeights {
     const Heights& start() const noexcept { return start_; }
     const MeshShape& shape() const noexcept { return shape_; }
 
-    // Returns the corner that is first to reach the plane, and its time: of equal real times, the first by name. No
-    // corner may be at or below the plane at the start.
+    // Returns the corner that reaches the plane first, and its time; of equal real times, the first by name. At the
+    // start, all corners must be above the plane.
     std::optional<std::pair<Corner, Quotient>> find_first(QueryMemory& memory) const {
         std::vector<Memory::Candidate>& candidates = Memory::of(memory).candidates;
         candidates.clear();

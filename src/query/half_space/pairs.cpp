@@ -1,8 +1,8 @@
-// Answers questions about two half spaces. They share a point unless their normals are opposed.
+// Answers questions about two half spaces. Two half spaces share a point unless their normals are opposed.
 //
 // With N2 = -(b / a) N1 for a, b > 0, the sets N1 . x <= F1 and N2 . x <= F2 are N1 . x <= F1 and N1 . x >= -F2 a / b.
-// So they are apart if the gap -(F1 b + F2 a) is positive, and then by gap / (b |N1|). Translations by m1 and m2 take
-// N1 . m1 b + N2 . m2 a off the gap.
+// So they are apart if the gap -(F1 b + F2 a) is positive, and their distance is then gap / (b |N1|). Translations by
+// m1 and m2 reduce the gap by N1 . m1 b + N2 . m2 a.
 #include <optional>
 
 #include "base/limits.hpp"
@@ -24,7 +24,7 @@ ScaledInteger size_of(const ScaledInteger& x) {
     return x.sign() < 0 ? -x : x;
 }
 
-// Two half spaces of which the planes are parallel, or not.
+// TwoPlanes compares two half spaces whose planes may be parallel.
 class TwoPlanes {
   public:
     TwoPlanes(const Posed<HalfSpace>& a, const Posed<HalfSpace>& b) : first_(a, 0), second_(b, 1) {
@@ -48,13 +48,14 @@ class TwoPlanes {
     bool are_opposed() const noexcept { return direction_ < 0; }
     bool have_one_direction() const noexcept { return direction_ > 0; }
 
-    // The gap between opposed half spaces, negative if they overlap; or how far the second plane is beyond the first
-    // one, along one direction. It is a multiple of the distance, whose square is gap^2 / square.
+    // Returns the gap between opposed half spaces, which is negative if they overlap. If the normals have the same
+    // direction, returns how far the second plane is beyond the first one. The gap is a multiple of the distance: the
+    // squared distance is gap^2 / square.
     const ScaledInteger& gap() const noexcept { return gap_; }
     const ScaledInteger& square() const noexcept { return square_; }
     bool are_apart() const noexcept { return are_opposed() && gap_.sign() > 0; }
 
-    // Return what a translation of the first, or second, half space from one point to another takes off the gap.
+    // Return by how much a translation of the first, or second, half space from one point to another reduces the gap.
     ScaledInteger closed_by_first(const Vec3& from, const Vec3& to) const {
         return (first_.along(to) - first_.along(from)) * size2_;
     }
@@ -62,7 +63,7 @@ class TwoPlanes {
         return (second_.along(to) - second_.along(from)) * size1_;
     }
 
-    // Returns the first contact, if so much is taken off the gap in the time from 0 to 1.
+    // Returns the first contact, if the gap is reduced by `closed` in the time from 0 to 1.
     std::optional<FirstContact> meet(const ScaledInteger& closed, double latest) const {
         FirstContact contact{0, ClosestKind::intersecting, half_spaces::plane_feature, half_spaces::plane_feature};
         if (!are_apart()) return contact;
@@ -77,7 +78,7 @@ class TwoPlanes {
     static ScaledInteger offset(const Plane& plane, const Pose& pose) { return plane.exact().E + plane.along(pose.t); }
 
     Plane first_, second_;
-    int direction_ = 0;  // 1 or -1 if the planes are parallel: of the normals to each other
+    int direction_ = 0;  // if the planes are parallel, 1 or -1: the sign of the product of the normals; otherwise 0
     ScaledInteger gap_, square_, size1_, size2_;
 };
 
