@@ -1,8 +1,8 @@
 // Finds pairs of close features from pairs of close triangles.
 //
 // The distance of two triangles is at most the distance of any two of their features. So if two features are within d,
-// every pair of triangles that has these features is within d, too, and is found. So the triangles found include all
-// that can name one of these features, and the rest of the mesh need not be read.
+// every pair of triangles that has these features is within d, too, and is found. Hence the triangles found include all
+// triangles that can name one of these features, and the rest of the mesh need not be read.
 #include <algorithm>
 #include <cstdint>
 

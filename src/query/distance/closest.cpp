@@ -20,8 +20,8 @@ ClosestPoints find_closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
     if (search.sieve().is_zero()) {
         result = closest_of_intersecting(a, b, search, asking.memory());
     } else {
-        // Every pair of triangles at the least distance is open, or an open pair that has the same features precedes it
-        // in the order of triangles.
+        // Consider a pair of triangles at the least distance. Either it is open, or an open pair with the same features
+        // precedes it in the order of triangles.
         const auto& open = search.sieve().keep_least(
             [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });
         result =

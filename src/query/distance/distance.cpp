@@ -8,8 +8,8 @@
 namespace ecods {
 namespace {
 
-// The order of D less the margin is that of D. It is that of the real distances: under cancellation, D less the margin
-// has digits that the rounded D has not. So pairs with the least real distance are found, as in closest().
+// Returns a pair of triangles with the least real distance, as closest() finds it. Comparing rounded distances does not
+// suffice here: where D - margin cancels, it has digits that the rounded distance D has not.
 TrianglePair find_nearest(DistanceSearch& search, PairWitness& witness) {
     const auto& open = search.sieve().keep_least(
         [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });

@@ -19,7 +19,7 @@ double least(double x, double y) {
 
 // Returns the adjacent doubles around the least distance, or the distance twice if it is a double. Unrounded distances
 // of several pairs may lie on both sides of the double to which they round. So each open pair is compared with this
-// double, unless its lower bound suffices.
+// double, unless the pair's lower bound suffices.
 DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
     const double rounded = search.round_least();
     witness = search.sieve().nearest();
@@ -34,7 +34,8 @@ DistanceBounds adjacent_bounds(DistanceSearch& search, PairWitness& witness) {
     return sign > 0 ? DistanceBounds{rounded, next_up(rounded)} : DistanceBounds{next_down(rounded), rounded};
 }
 
-// Returns the bounds that follow from the intervals. Pairs that the search dropped are beyond the floor or at_most.
+// Returns the bounds that follow from the intervals. Pairs that the search dropped have distances above the floor or
+// above at_most.
 DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
     double lower = least(search.sieve().floor(), at_most);
     for (const DistanceSieve::Open& open : search.sieve().open()) lower = least(lower, open.interval.lower);
@@ -43,7 +44,7 @@ DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
 
 }  // namespace
 
-// The relative error of the difference and of each product is at most u' = 2^-52.
+// Bound: the relative error of the difference and of each product is at most u' = 2^-52.
 // Claim: verify/proofs/small_bounds.py
 bool surface::is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
     if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
@@ -59,8 +60,8 @@ DistanceBounds surface::distance_bounds(const Posed<MeshShape>& a, const Posed<M
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
     PairWitness& witness = asking.witness();
-    // The search may drop pairs beyond `limit`. Since `limit` is above max_distance, the lower bound is above
-    // max_distance, too, if all pairs are dropped.
+    // The search may drop pairs whose distances exceed `limit`. If all pairs are dropped, the lower bound is above
+    // max_distance, because `limit` is.
     const double limit = next_up(tolerance.max_distance);
     {
         DistanceSearch search(a, b, memory);
@@ -79,8 +80,7 @@ DistanceBounds surface::distance_bounds(const Posed<MeshShape>& a, const Posed<M
     if (search.sieve().is_zero()) return {0, 0};
     if (search.sieve().open().empty()) return {limit, infinity};
     const DistanceBounds bounds = adjacent_bounds(search, witness);
-    // If the nearest open pair is beyond the limit, a pair that was dropped may be nearer, but it is beyond the limit,
-    // too.
+    // A pair that was dropped may be nearer than the nearest open pair. If the latter is beyond the limit, both are.
     if (key_of(bounds.lower) > key_of(limit)) return {limit, infinity};
     return bounds;
 }

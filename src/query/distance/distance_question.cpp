@@ -79,12 +79,12 @@ void DistanceQuestion::bound_batch(Search& search) {
 }
 
 // Takes a pair whose squared distance floats have bounded. If the lower bound is zero, doubles enclose the distance at
-// once, so that a common point is noticed early. Otherwise the pair becomes a candidate, unless it is beyond the limit.
+// once, so that a common point is found early. Otherwise the pair becomes a candidate, unless it is beyond the limit.
 void DistanceQuestion::take(Search& search, std::size_t lane) {
     const TrianglePair& triangles = batch_.pairs[lane];
     const float lower = squares_.lower[lane], upper = squares_.upper[lane];
-    // Pairs beyond the limit may set the direction, too: along it, a walk proves soonest that all pairs are beyond the
-    // limit.
+    // A pair beyond the limit may set the direction, too: if all pairs are beyond the limit, a walk proves this soonest
+    // along the direction of the nearest of them.
     if (upper < direction_square_ && upper > 0) set_direction(lane);
     if (lower > search.limit()) return;
     if (!(lower > 0)) return search.take(triangles);
@@ -108,7 +108,7 @@ void DistanceQuestion::advance(Search& search, float bound) {
 }
 
 // Encloses candidates in ascending order of their lower bounds, until all others are beyond the limit. If pairs may be
-// excluded by a slab, first computes the exact distance of the nearest pair so far, which sets the slab.
+// excluded by a slab, first computes the exact distance of the nearest pair so far; this pair sets the slab.
 void DistanceQuestion::enclose_candidates(Search& search) {
     if (excludes_) {
         const TrianglePair nearest{search.sieve().nearest().a, search.sieve().nearest().b};

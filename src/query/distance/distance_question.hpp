@@ -24,10 +24,10 @@ class DistanceQuestion {
     // Everything that the arguments refer to must outlive this object. No pair is excluded until exclude() is called.
     void bind(const MeshPair& bodies, QueryCounts& counts);
     // Lets the search exclude pairs that are certainly not nearer than another pair, if the coordinates allow it. Call
-    // only if the query needs the least distance alone, not all the pairs that have it.
+    // it only if the query needs only the least distance, not all pairs that have it.
     void exclude() noexcept { excludes_ = pair_.can_refer(); }
 
-    // True if the bodies are so far apart that floats can only order nodes by their positions along the gap.
+    // Returns true if the bodies are so far apart that floats can order nodes only by their positions along the gap.
     bool is_far() const noexcept { return far_.is_far(); }
     // Returns two triangles that are probably among the nearest, by descending from the roots.
     TrianglePair dive(const MeshPair& bodies);
@@ -74,8 +74,8 @@ class DistanceQuestion {
     QueryCounts* counts_ = nullptr;
     bool excludes_ = false;
     std::optional<TrianglePair> referred_;  // the pair with which pair_ compares others
-    // The approximate direction, in floats, from the nearest triangle of a to the nearest triangle of b so far, and
-    // their squared distance on the axes of the first set.
+    // The approximate direction, in floats, from a triangle of a to a triangle of b: the nearest two so far.
+    // `direction_square_` is their squared distance on the axes of the first set.
     Direction direction_{};
     float direction_square_ = std::numeric_limits<float>::infinity();
     LeavesOnAxes leaves_{};

@@ -11,8 +11,9 @@
 
 namespace ecods {
 
-// The witness of a pair that was not within a distance. It names no triangle, and its `b` is the number of an axis
-// (query/intersection). It lets the next query begin at the roots: to try two triangles first would be in vain.
+// This witness is left by a pair that was not within a distance. It names no triangle, and its `b` is the number of an
+// axis (query/intersection). The next query then begins at the roots, because trying two triangles first would be in
+// vain.
 inline constexpr PairWitness apart_witness{.a = PairWitness::none, .b = 0};
 constexpr bool is_apart(const PairWitness& witness) noexcept {
     return witness.a == PairWitness::none && witness.b != PairWitness::none;
@@ -20,7 +21,8 @@ constexpr bool is_apart(const PairWitness& witness) noexcept {
 
 using DistanceSieve = SieveOf<DistanceQuestion>;
 
-// Returns the first of closest(pair) for all open pairs, which tie, by the rule of ClosestPoints. There must be one.
+// Applies closest(pair) to all open pairs, which tie, and returns the result that is first by the rule of
+// ClosestPoints. There must be an open pair.
 template <class Closest>
 ClosestPoints least_closest(const std::vector<DistanceSieve::Open>& open, Closest&& closest) {
     ClosestPoints result = closest(open[0].triangles);
@@ -42,11 +44,11 @@ class DistanceSearch {
     void run(const SearchGoal& goal, const PairWitness& witness);
     // Searches for the least distance, and returns it rounded once; returns 0 if the bodies share a point.
     double find_distance(const PairWitness& witness);
-    // Returns the least distance of the open pairs, rounded once. Call after run(), only if a pair is open.
+    // Returns the least distance of the open pairs, rounded once. Call it after run(), and only if a pair is open.
     double round_least();
 
-    // Calls visit(pair, interval) for every pair of triangles within d; `interval` contains the pair's distance. A
-    // visit may return a bool: false ends the walk.
+    // Calls visit(pair, interval) for every pair of triangles within d; `interval` contains the pair's distance.
+    // `visit` may return a bool: false ends the walk.
     template <class Visit>
     void visit_within(double d, Visit&& visit);
 

@@ -1,5 +1,5 @@
-// Finds the name of a vertex or an edge: the least triangle, among given triangles of a mesh, that has it, and its
-// corner.
+// LeastNames finds the name of a vertex or an edge: the least triangle, among given triangles of a mesh, that has it,
+// and the vertex's or edge's corner there.
 #pragma once
 
 #include <array>
@@ -13,23 +13,23 @@ namespace ecods {
 
 class LeastNames {
   public:
-    // `triangles` may be in any order and contain duplicates. Cost: sorting their corners; other triangles are not
-    // read.
+    // `triangles` may be in any order and contain duplicates. Cost: sorting the corners of these triangles; other
+    // triangles are not read.
     LeastNames(const Mesh& mesh, std::vector<std::uint32_t> triangles);
 
     // Returns the vertex or edge `feature` with its least name: the least of the given triangles that has it, and the
-    // least corner there. One of the given triangles must have the feature. A face is returned as it is.
+    // least corner there. One of the given triangles must have the feature. A face is returned unchanged.
     Feature operator()(const Feature& feature) const;
 
   private:
-    // The coordinates of a vertex as integer keys, which are ordered like doubles, and have a single zero
+    // A Place is the coordinates of a vertex as integer keys, which are ordered like doubles, and have a single zero
     // (base/double_key.hpp).
     using Place = std::array<std::int64_t, 3>;
     struct Vertex {
         Place place;
         std::uint32_t triangle, corner;
     };
-    // Holds an edge: the indices of its ends in vertices_, the lesser first, and its least name.
+    // An Edge has the indices of its ends in vertices_, the lesser first, and its least name.
     struct Edge {
         std::array<std::uint32_t, 2> ends;
         std::uint32_t triangle, corner;

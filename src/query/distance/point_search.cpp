@@ -39,7 +39,8 @@ void PointSearch::find(const Vec3& point) {
     working_.sieve.drop();
 }
 
-// All triangles that contain the point have the lower bound 0, so they come first.
+// Encloses the distance of one triangle, and adds it to the sieve. All triangles that contain the point have the lower
+// bound 0, so they are taken first.
 void PointSearch::take(const NearTriangle& near) {
     DistanceSieve& sieve = working_.sieve;
     const TrianglePair pair{0, near.triangle};
@@ -70,7 +71,7 @@ double PointSearch::distance() {
         return as_part(memory_, [&] { return surface::distance(point(), posed_, memory_); });
     }
     if (touched_) return 0;
-    // Measuring a pair for the slab costs more than rounding a few.
+    // For a few pairs, rounding all costs less than measuring one for the slab.
     constexpr std::size_t few = 8;
     TriangleDistances& pair = working_.pair;
     bool has_slab = false;

@@ -11,16 +11,18 @@
 
 namespace ecods {
 
-// The only feature of a body that contains a closest point: a face, an open edge or a vertex, as the least triangle
-// among those found has it.
+// An OnlyFeature is the only feature of a body that contains a closest point: a face, an open edge or a vertex. It is
+// named by the least triangle among those found.
 struct OnlyFeature {
     Feature feature;
-    // The sign of n . (point - corner) if it is a face, where n is the normal (q - p) x (r - p) of its posed corners.
+    // For a face: the sign of n . (point - corner), where n is the normal (q - p) x (r - p) of its posed corners p, q,
+    // r.
     int side = 0;
 };
 
-// A point is the first body of a pair: the mesh of point_shape(), translated. So answers are those of DistanceSearch.
-// The walk of one tree, and doubles, leave few triangles; if floats cannot distinguish nodes, DistanceSearch answers.
+// PointSearch treats a point as the first body of a pair: the mesh of point_shape(), translated. So its answers are
+// those of DistanceSearch. The walk of one tree, and doubles, leave few triangles; if floats cannot distinguish nodes,
+// DistanceSearch answers.
 class PointSearch {
   public:
     // `body` and `memory` must outlive the search.
@@ -28,16 +30,16 @@ class PointSearch {
     PointSearch(const PointSearch&) = delete;
     PointSearch& operator=(const PointSearch&) = delete;
 
-    // Finds the triangles that may be nearest to the point, which must be finite. Call it before each of the following
-    // functions, which may be called in any order after it.
+    // Finds the triangles that may be nearest to the point, which must be finite. The next functions answer for this
+    // point; they may be called in any order.
     void find(const Vec3& point);
 
     // Returns the least distance, rounded once; 0 exactly if the point is on the surface.
     double distance();
-    // Returns what closest() of the point and the body gives; point_a need not be set.
+    // Returns what closest() returns for the point and the body; point_a need not be set.
     ClosestPoints closest();
-    // Returns the feature that certainly contains the only closest point; nullopt if doubles prove none, or the point
-    // is on the surface.
+    // Returns the feature that certainly contains the only closest point; nullopt if doubles do not prove that there is
+    // one, or if the point is on the surface.
     std::optional<OnlyFeature> only() const;
 
   private:

@@ -26,19 +26,20 @@ inline void require_valid(const DistanceTolerance& tolerance) {
     require_distance(tolerance.max_distance);
 }
 
-// True if certainly upper - lower <= max(absolute, relative * lower), or if the bounds are equal or adjacent doubles.
+// Returns true if certainly upper - lower <= max(absolute, relative * lower), or if the bounds are equal or adjacent
+// doubles.
 bool is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance);
 
 double distance(const Body& a, const Body& b, const Ask& ask);
-// Returns the distance less the margin, rounded once; 0 if the margin is at least the distance.
+// Returns the distance minus the margin, rounded once; 0 if the margin is at least the distance.
 double distance_beyond(const Body& a, const Body& b, const exact::ExactSum& margin, const Ask& ask);
-// Returns the same difference, also if it is negative, for a margin of either sign.
+// Returns the distance minus the margin, rounded once, also if it is negative. The margin may have either sign.
 double signed_beyond(const Body& a, const Body& b, const exact::ExactSum& margin, const Ask& ask);
 bool within(const Body& a, const Body& b, double max_distance, const Ask& ask);
 bool within(const Body& a, const Body& b, const exact::Limit& limit, const Ask& ask);
 ClosestPoints closest(const Body& a, const Body& b, const Ask& ask, const exact::Radii& radii = {});
-// Returns the closest points of the rounded surfaces with their direction, and the distance less the radii, also if
-// that is negative; nullopt if the surfaces share a point.
+// Returns the closest points of the rounded surfaces with their direction, and the distance minus the radii, also if
+// this is negative; nullopt if the surfaces share a point.
 std::optional<CloseFeatures> signed_closest(const Body& a, const Body& b, const Ask& ask, const exact::Radii& radii);
 DistanceBounds distance_bounds(const Body& a, const Body& b, const DistanceTolerance& tolerance, const Ask& ask);
 // Returns the pairs of triangles within d, which must be finite and not negative; nullopt if there are more than

@@ -20,15 +20,15 @@
 
 namespace ecods {
 
-// Holds an interval that contains the distance of two triangles. Pairs with the same closest features have the same
+// A DistanceInterval contains the distance of two triangles. Pairs with the same closest features have the same
 // distance, so a search needs to round it for only one of them.
 struct DistanceInterval {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
 
     // True if all signs that determine the closest features are certain. The distance is then exactly the distance of
-    // features a and b. These contain the only closest points of the two triangles, and no features of lower dimension
-    // do.
+    // features a and b. These two features contain the only closest points of the two triangles, and no features of
+    // lower dimension contain them.
     bool is_certain = false;
     ClosestKind kind = ClosestKind::intersecting;
     FeatureKey a, b;
@@ -36,14 +36,14 @@ struct DistanceInterval {
 
 class TriangleDistances {
   public:
-    // Cost: constant. Everything that the arguments refer to must outlive this object.
+    // Binds the two meshes. Cost: constant. Everything that the arguments refer to must outlive this object.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
 
     // Returns an interval, with bounds that doubles prove, that contains the distance of triangle `i` of the first mesh
     // and triangle `j` of the second. `lower` is 0 unless a greater bound is proven.
     DistanceInterval enclose(std::uint32_t i, std::uint32_t j);
 
-    // Returns the distance of triangles i and j, rounded once. It is exactly 0 if and only if they share a point.
+    // Returns the distance of triangles i and j, rounded once. It is 0 exactly if they share a point.
     double distance(std::uint32_t i, std::uint32_t j);
 
     // Returns distance() of a pair, from numbers of fixed width; nullopt if the rounding is not certain, or the
@@ -54,9 +54,10 @@ class TriangleDistances {
     // The closest features must be the point and the face, which enclose() has found certain.
     int side_of_face(const TrianglePair& pair);
 
-    // Returns the distance of a pair less the margin, rounded once (exact::round_beyond).
+    // Returns the distance of a pair minus the margin, rounded once; 0 if it is negative (exact::round_beyond).
     double distance_beyond(const TrianglePair& pair, const exact::ExactSum& margin);
-    // Returns the same difference, also if it is negative (exact::round_signed_beyond).
+    // Returns the distance of a pair minus the margin, rounded once, also if it is negative
+    // (exact::round_signed_beyond).
     double signed_beyond(const TrianglePair& pair, const exact::ExactSum& margin);
 
     // Return the sign of (the real distance of triangles i and j) - d, for a number d >= 0.
@@ -66,19 +67,19 @@ class TriangleDistances {
     // Returns the sign of (the real distance of the first pair) - (the real distance of the second pair).
     int compare(const TrianglePair& first, const TrianglePair& second);
 
-    // True if is_not_nearer() can return true: all coordinates fit into two limbs.
+    // Returns true if all coordinates fit into two limbs; otherwise is_not_nearer() always returns false.
     bool can_refer() const noexcept { return points_.is_exact(); }
-    // Sets the pair of triangles that is_not_nearer() compares with. The two must not share a point.
+    // Sets the pair of triangles with which is_not_nearer() compares others. The two triangles must not share a point.
     void refer_to(const TrianglePair& pair);
-    // True if `pair` is certainly at least as far apart as the pair given to refer_to(); false proves nothing. For a
-    // pair that may tie with that one, or shares its features, the answer is usually true. Cost: some nanoseconds, and
-    // 0.1 microseconds for each new vertex.
+    // Returns true if `pair` is certainly at least as far apart as the pair given to refer_to(); false proves nothing.
+    // For a pair that may tie with the given pair, or shares features with it, the result is usually true. Cost: some
+    // nanoseconds, and 0.1 microseconds for each new vertex.
     bool is_not_nearer(const TrianglePair& pair);
 
     // Returns the closest points of triangles i and j. If there are several, the rule of ClosestPoints chooses. If the
     // triangles do not meet and radii are given, the points are those of the rounded triangles, and so is the distance.
-    // Sets point_a only if it is `wanted`, since rounding it takes a third of the time; it may be left out only without
-    // radii.
+    // Sets point_a only if it is `wanted`, since rounding it takes a third of the time; point_a may be left out only
+    // without radii.
     enum class PointA : std::uint8_t { wanted, left_out };
     ClosestPoints closest(std::uint32_t i, std::uint32_t j, const exact::Radii& radii = {},
                           PointA point_a = PointA::wanted);
@@ -94,7 +95,7 @@ class TriangleDistances {
     SharedSet intersection(std::uint32_t i, std::uint32_t j);
 
   private:
-    // Caches the exact distance of a pair of triangles for later calls.
+    // A Measured caches the exact distance of a pair of triangles for later calls.
     struct Measured {
         TrianglePair pair;
         bool is_known = false;

@@ -18,8 +18,8 @@ ECODS_ALWAYS_INLINE exact::IntegerPair TriangleDistances::integers(std::uint32_t
 }
 
 // Calls use(points, features, guess) with the corners of two triangles as integers of the narrowest kernel that holds
-// them. `guess` names the probable closest features. It is marked as certain if doubles prove it, so that integers need
-// not.
+// them. `guess` names the probable closest features. If doubles prove the guess, it is marked as certain, and integers
+// need not prove it.
 template <class Use>
 auto TriangleDistances::with_features(std::uint32_t i, std::uint32_t j, Use&& use) {
     const exact::IntegerPair pair = integers(i, j);

@@ -16,7 +16,7 @@ class CommonPoint {
     CommonPoint(const CommonPoint&) = delete;
     CommonPoint& operator=(const CommonPoint&) = delete;
 
-    // True if the two triangles share a point.
+    // Returns true if the two triangles share a point.
     bool is_in(const TrianglePair& triangles);
 
     // Counts one more pair of nodes that overlap. When the count reaches `overlap_max`, tests the bodies, and returns
@@ -24,12 +24,12 @@ class CommonPoint {
     bool is_found_among_overlaps();
 
   private:
-    // If bodies overlap deeply, a walk usually meets two triangles that share a point long before this count. Where
-    // large bodies nearly touch, some hundred pairs of nodes overlap, too, and the test would be wasted.
+    // If bodies overlap deeply, a walk usually finds two triangles that share a point long before this count. Large
+    // bodies that nearly touch have some hundred pairs of overlapping nodes, too; for them the test would be wasted.
     static constexpr std::uint32_t overlap_max = 1024;
 
-    // Ends the use of the memory's TriangleRelations: adds their counts to the memory's, so that another query can bind
-    // them.
+    // Stops using the TriangleRelations in the memory, and adds their counts to those of the memory, so that another
+    // query can bind them.
     void leave() noexcept;
 
     const MeshPair& bodies_;

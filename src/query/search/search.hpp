@@ -1,5 +1,5 @@
 // Search finds the least number among the pairs of triangles of two bodies. It walks both trees, nearest nodes first,
-// and leaves a few pairs, among which exact arithmetic decides.
+// and leaves a few pairs from which exact arithmetic chooses.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@
 namespace ecods {
 
 // A GatheringQuestion can bound a pair of triangles more tightly than its leaves do, at less cost than an interval. It
-// collects such pairs, and chooses when the search takes them.
+// collects pairs, and chooses when the search takes them.
 //
 // `gather(search, x, y, lanes, bounds)` stores the pairs of triangles of leaves x and y in these lanes, with their
 // bounds. `advance(search, bound)` is called before nodes with this lower bound are opened, and with infinity at the
-// end. When the last call returns, every stored pair must have been passed to search.take() or be known not to have the
-// least number.
+// end. When the last call returns, every stored pair must have been passed to search.take(), or must be known not to
+// have the least number.
 template <class Question, class Search>
 concept GatheringQuestion = requires(Question& question, Search& search, const TreeLeaf& leaf, LanePairs lanes,
                                      const LaneBounds& bounds, float bound) {
@@ -32,7 +32,7 @@ concept GatheringQuestion = requires(Question& question, Search& search, const T
 template <class Question>
 using SieveOf = Sieve<typename Question::Interval, typename Question::Value>;
 
-// Holds a question and the scratch memory of its searches, which later searches reuse.
+// A SearchMemory holds a question and the scratch memory of its searches, which later searches reuse.
 template <class Question>
 struct SearchMemory final : QueryMemoryPart {
     Question question;

@@ -26,7 +26,8 @@ struct SearchGoal {
     double absolute = 0;
 };
 
-// True if a real number between `lower` and `upper` is at most d. Calls exact() if the two bounds leave this undecided.
+// Returns true if a real number between `lower` and `upper` is at most d. Calls exact() if the two bounds leave this
+// undecided.
 template <class Exact>
 bool is_within(double lower, double upper, double d, Exact&& exact) {
     if (key_of(lower) > key_of(d)) return false;
@@ -55,7 +56,7 @@ class Sieve {
 
     // Returns true if a pair whose number is at least `lower` may still be the answer.
     bool counts(double lower) const noexcept { return key_of(lower) <= most_; }
-    // True if the goal is reached, so that the search may stop.
+    // Returns true if the goal is reached, so that the search may stop.
     bool is_decided() const noexcept { return is_zero_ || key_of(upper_) <= key_of(goal_.stop_at); }
 
     // Records that a pair of triangles shares a point, so its number is 0. This decides the search; open() is not used
@@ -68,7 +69,7 @@ class Sieve {
     // Records that the number of the pair `triangles` is at most `upper`, or rounds to it. Returns true if this lowers
     // the upper bound, so that more pairs may be dropped.
     bool take_upper(double upper, const TrianglePair& triangles) noexcept {
-        if (nearest_.a == PairWitness::none) nearest_ = {triangles.a, triangles.b};  // even if `upper` is infinite
+        if (nearest_.a == PairWitness::none) nearest_ = {triangles.a, triangles.b};  // also if `upper` is infinite
         if (!(key_of(upper) < key_of(upper_))) return false;
         upper_ = upper;
         nearest_ = {triangles.a, triangles.b};
@@ -85,7 +86,8 @@ class Sieve {
     // Returns a lower bound of the numbers of all pairs that were dropped because of the goal's relative or absolute
     // width.
     double floor() const noexcept { return floor_; }
-    // Returns the number above which pairs may be dropped, and nodes if the numbers of all their pairs are above it.
+    // Returns the number above which pairs may be dropped. A node may be dropped if the numbers of all its pairs are
+    // above it.
     double bound() const noexcept { return lesser(goal_.at_most, floor_); }
 
     std::vector<Open>& open() noexcept { return open_; }
@@ -94,8 +96,8 @@ class Sieve {
         std::erase_if(open_, [&](const Open& open) { return !counts(open.interval.lower); });
     }
 
-    // Returns the least Value of the open pairs, and makes its pair nearest(); nullopt if no pair has a value. If its
-    // number exceeds the goal's at_most, it may not be the least of all pairs.
+    // Returns the least Value of the open pairs, and makes its pair nearest(); nullopt if no pair has a value. If the
+    // least number exceeds the goal's at_most, dropped pairs may have lesser ones.
     //
     // round(open, least) must return the value of a pair, or nullopt if it is not less than `least`, the least value so
     // far. Values are ordered by number(value), then by rank(value).
@@ -130,12 +132,13 @@ class Sieve {
         return false;
     }
 
-    // Reduces open() to the pairs with the least unrounded number. Among pairs that certainly have the same features,
-    // only the least pair of triangles is left. compare(x, y) must return the sign of (number of x) - (number of y).
+    // Reduces open() to the pairs with the least unrounded number. Of several pairs that certainly have the same
+    // features, only the least pair of triangles is left. compare(x, y) must return the sign of (number of x) - (number
+    // of y).
     template <class Compare>
     std::vector<Open>& keep_least(Compare&& compare) {
         group();
-        // Moves pairs that may be the least to the front. They overwrite only pairs that are already judged.
+        // Moves pairs that may be the least to the front. They overwrite only pairs that have already been compared.
         std::size_t count = std::min<std::size_t>(open_.size(), 1);
         for (std::size_t at = 1; at < open_.size(); ++at) {
             const Open pair = open_[at];
