@@ -8,8 +8,8 @@
 namespace ecods {
 
 struct AllHits::State {
-    // Holds a hit, its place among those of its body with the same parameter, and where `limbs` has its exact
-    // parameter: from `begin` on, the numerator and then the denominator.
+    // An Item is a hit, its place among the hits of its body with the same parameter, and the position of its exact
+    // parameter in `limbs`: from `begin` on, the numerator and then the denominator.
     struct Item {
         KeyedHit hit;
         std::size_t place;

@@ -10,7 +10,7 @@
 
 namespace ecods {
 
-// A fraction >= 0 of any length.
+// A LongFraction is a fraction >= 0 of any length.
 struct LongFraction {
     exact::Integer num, den{std::int64_t{1}};
 
@@ -20,7 +20,7 @@ struct LongFraction {
     }
 };
 
-// A hit, rounded once, and the real parameters of its first and last shared point.
+// An ExactHit is a hit, rounded once, and the real parameters of its first and last shared point.
 struct ExactHit {
     Hit hit;
     LongFraction enter, leave;

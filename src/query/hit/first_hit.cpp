@@ -10,9 +10,9 @@
 namespace ecods {
 namespace {
 
-// Finds the least hit of one body with a line, up to a limit. Triangles that are certainly hit inside their faces are
-// collected with bounds in doubles, and compared exactly at the end. Other triangles are decided in integers at once,
-// and the least hit of these is kept.
+// BodySearch finds the least hit of one body with a line, up to a limit. Triangles that are certainly hit inside their
+// faces are collected with bounds in doubles, and compared exactly at the end. Other triangles are decided in integers
+// at once, and the least of their hits is kept.
 class BodySearch {
   public:
     BodySearch(const Posed<MeshShape>& body, HitMemory& memory, const ScaledLine& line, double limit, HitCounts& counts)
@@ -29,7 +29,7 @@ class BodySearch {
     // Returns an upper bound of the scaled parameter of the least hit, of this body and of the bodies asked earlier.
     double parameter_limit() const noexcept { return faces_.bound(); }
 
-    // Makes the walk try this triangle first. If floats exclude all triangles, it is not tried at all.
+    // Makes the walk try this triangle first. If floats exclude all triangles, the triangle is not tried at all.
     void try_first(std::uint32_t triangle) noexcept { waiting_ = triangle; }
 
     void walk(LineAxes::Place place) {
@@ -61,13 +61,13 @@ class BodySearch {
     void visit(std::uint32_t triangle) { visit(triangle, triangles_[triangle]); }
     void visit(std::uint32_t triangle, const Triangle& vertices);
 
-    // Drops faces that doubles prove not to be hit first. Call it when all triangles have been visited.
+    // Drops faces whose hits doubles prove not to be the first. Call it when all triangles have been visited.
     void settle();
-    // If the only candidate is a face, and its hit can be rounded cheaply, sets `hit` to it and returns true. Otherwise
-    // returns false.
+    // If the only candidate is a face, and its hit can be rounded cheaply, sets `hit` to this hit and returns true.
+    // Otherwise returns false.
     bool round_only_face(Hit& hit);
-    // Compares the remaining candidates exactly. Returns true if there is a hit; memory.own is then the least hit, of
-    // triangle().
+    // Compares the remaining candidates exactly. Returns true if there is a hit; memory.own is then the least hit, and
+    // triangle() is its triangle.
     bool finish();
     std::uint32_t triangle() const noexcept { return least_; }
     std::uint64_t box_tests() const noexcept { return box_tests_; }
@@ -111,12 +111,12 @@ class BodySearch {
     std::uint32_t waiting_ = none;
     std::uint32_t tried_ = none;
     std::uint32_t least_ = none;  // triangle of memory.own
-    // The feature at whose point the line enters the triangle of memory.own, as vertices of the mesh: one vertex, or
-    // the two of an edge; `none` if it is not known.
+    // The feature through which the line enters the triangle of memory.own, as vertices of the mesh: one vertex, or the
+    // two of an edge; `none` if it is not known.
     std::array<std::uint32_t, 2> shared_{none, none};
-    // The two vertices of an edge along which the line runs from the entry point on, where the line shares nothing else
-    // with some triangle of this edge. It is the edge of memory.own if that hit runs along an edge; `none` if no such
-    // edge is known.
+    // The two vertices of an edge along which the line runs from the entry point on; `none` if no such edge is known.
+    // Some triangle of this edge shares nothing else with the line. If memory.own is a hit along an edge, it is that
+    // edge.
     std::array<std::uint32_t, 2> along_{none, none};
 };
 
@@ -143,12 +143,12 @@ void BodySearch::decide(std::uint32_t triangle, const Triangle& vertices, const 
     take_upper(upper, triangle);
 }
 
-// Makes memory.other, the hit of this triangle, the least hit memory.own, unless an earlier one is less.
+// Makes memory.other, the hit of this triangle, the least hit memory.own, unless an earlier hit is less.
 void BodySearch::keep_least(std::uint32_t triangle, const Triangle& corners) noexcept {
     const int order = least_ == none ? -1 : compare(memory_.other->enter.ref(), memory_.own->enter.ref());
     if (order > 0) return;
-    // At an equal parameter, shared_ and along_ stay valid: every triangle with this vertex or edge is hit at that
-    // parameter.
+    // If the parameters are equal, shared_ and along_ stay valid: every triangle with this vertex or edge is hit at
+    // that parameter.
     if (order < 0) shared_ = along_ = {none, none};
     const exact::LineHit& hit = *memory_.other;
     const bool is_kept = triangle < least_ || order < 0;
@@ -178,16 +178,17 @@ std::uint32_t find_edge(const Triangle& corners, const std::array<std::uint32_t,
     return 3;
 }
 
-// Makes this triangle the one with the least hit. Call only if it is hit at the parameter of the least hit so far.
+// Makes this triangle the one with the least hit. Call it only if the triangle is hit at the parameter of the least hit
+// so far.
 void BodySearch::take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept {
     least_ = triangle;
     memory_.own->feature = feature;
     memory_.own->corner = corner;
 }
 
-// Returns true if the triangle has the vertex or edge shared_, at which the line enters the triangle of the least hit.
-// Call only if the line crosses the triangle's plane. The line then hits the triangle there and nowhere else, so both
-// hits have the same parameter, and no computation is needed.
+// Returns true if the triangle has the vertex or edge shared_, through which the line enters the triangle of the least
+// hit. Call it only if the line crosses the plane of `triangle`. The line then hits `triangle` at shared_ and nowhere
+// else, so both hits have the same parameter, and no computation is needed.
 bool BodySearch::ties_at_shared(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (shared_[0] == none) return false;
     const bool is_vertex = shared_[1] == none;
@@ -201,15 +202,16 @@ bool BodySearch::ties_at_shared(std::uint32_t triangle, const Triangle& corners)
     return true;
 }
 
-// Returns true if the triangle has the edge along_, along which the line runs, and so is decided. Call only if its
-// corners are not on one line. It then shares with the line what the other triangle of this edge does, from the same
-// parameter on.
+// Returns true if the triangle has the edge along_, along which the line runs, and so needs no computation. Call it
+// only if the triangle's corners are not on one line. Then the triangle shares with the line the same points as the
+// other triangle of this edge, from the same parameter on.
 bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noexcept {
     if (along_[0] == none) return false;
     const std::uint32_t corner = find_edge(corners, along_);
     if (corner == 3) return false;
     if (triangle > least_) return true;
-    // If memory.own does not run along an edge, the parameter at which the line leaves this edge is no longer stored.
+    // If memory.own does not run along an edge, the parameter at which the line leaves the edge along_ is no longer
+    // stored.
     if (!memory_.own->is_along || memory_.own->feature != Feature::Kind::edge) return false;
     take_tie(triangle, Feature::Kind::edge, corner);
     return true;

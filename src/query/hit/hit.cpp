@@ -15,8 +15,8 @@ std::optional<Hit> find_first(const Line& line, const Posed<MeshShape>& body, Qu
     return first.get().hit;
 }
 
-// Returns the first hit, as find_first() does. If the segment is within the region gathered for the last segments, asks
-// only the triangles of that region, without a walk.
+// Returns the first hit, as find_first() does. If the segment is within the region that was gathered for earlier
+// segments, tests only the triangles of that region, without a walk.
 std::optional<Hit> find_step(const Line& segment, const Posed<MeshShape>& body, QueryMemory& memory,
                              PairWitness& witness) {
     HitMemory& own = HitMemory::of(memory);

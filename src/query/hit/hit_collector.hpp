@@ -1,4 +1,4 @@
-// HitCollector finds all triangles of a body that a line hits, in no stated order.
+// HitCollector finds all triangles of a body that a line hits. Their order is not promised.
 #pragma once
 
 #include <bit>
@@ -10,7 +10,7 @@
 namespace ecods {
 
 // Calls add(triangle, hit) for each triangle that is hit, with the exact points that it shares with the line. Its limit
-// leaves out no part of the line.
+// excludes no part of the line.
 template <class Add>
 class HitCollector {
   public:
@@ -47,7 +47,7 @@ class HitCollector {
     Add& add_;
 };
 
-// Does the work of HitCollector for a line and a body.
+// Calls add(triangle, hit) for each triangle of the body that the line hits.
 template <class Add>
 void collect_hits(const Line& line, const ScaledLine& scaled, const Posed<MeshShape>& body, HitMemory& memory,
                   QueryCounts& counts, Add&& add) {

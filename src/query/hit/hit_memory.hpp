@@ -1,4 +1,4 @@
-// HitMemory is the scratch memory of FirstHit and AllHits, with the steps that both searches have in common.
+// HitMemory is the scratch memory of FirstHit and AllHits, and has the steps that both searches share.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@
 namespace ecods {
 
 struct HitMemory final : QueryMemoryPart {
-    // Holds a triangle, by its vertices, that is certainly hit inside its face, and bounds of the scaled parameter of
-    // this hit.
+    // A FaceHit is a triangle, by its vertices, that is certainly hit inside its face, and bounds of the scaled
+    // parameter of this hit.
     struct FaceHit {
         double lower, upper;
         Triangle vertices;
     };
-    // The sieve stores such faces. In the end they are compared exactly, together with hits of edges and vertices, so
-    // the sieve needs no values.
+    // The sieve stores FaceHits. At the end they are compared exactly, together with hits of edges and vertices, so the
+    // sieve needs no values.
     using FaceSieve = Sieve<FaceHit, std::monostate>;
 
     LineAxes axes;
@@ -43,7 +43,7 @@ struct HitMemory final : QueryMemoryPart {
     }
 
     // Prepares all members for a line and a body, which both must outlive their use. Numbers that depend on the body
-    // alone are kept if the body is the same as before. Returns where the line up to the scaled parameter `limit` is,
+    // alone are kept if the body is the same as before. Returns where the line, up to the scaled parameter `limit`, is
     // relative to the body.
     LineAxes::Place bind(const Line& line, const ScaledLine& scaled, double limit, const Posed<MeshShape>& body) {
         const MeshTree& tree = MeshShapeAccess::tree(*body.what);

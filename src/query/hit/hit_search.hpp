@@ -17,7 +17,7 @@
 
 namespace ecods {
 
-// Holds a hit and the key of the body that is hit.
+// A KeyedHit is a hit and the key of the body that is hit.
 struct KeyedHit {
     std::uint64_t key = 0;
     Hit hit;
@@ -25,12 +25,12 @@ struct KeyedHit {
 
 struct HitMemory;
 
-// Finds the least hit, in the order of the real parameters, then of keys, then of triangles.
+// FirstHit finds the least hit, in the order of the real parameters, then of keys, then of triangles.
 class FirstHit {
   public:
-    // `line` must be valid. It and `memory` must outlive the search, and no other search may use `memory` meanwhile.
-    // Set `is_alone` only if ask() is called once and offer() never; then the parameter of the hit need not be computed
-    // exactly.
+    // `line` must be valid. The line and `memory` must outlive the search, and no other search may use `memory`
+    // meanwhile. Set `is_alone` only if ask() is called once and offer() never; then the parameter of the hit need not
+    // be computed exactly.
     FirstHit(const Line& line, QueryMemory& memory, bool is_alone = false);
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;
@@ -40,15 +40,16 @@ class FirstHit {
     void ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness& witness);
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
 
-    // Asks the body about the given triangles only, which must include all that the line may hit. `memory` must already
-    // be bound to the body.
+    // Asks the body about the given triangles only. They must include all triangles that the line may hit. `memory`
+    // must already be bound to the body.
     void ask_about(std::span<const std::uint32_t> triangles, const Posed<MeshShape>& body, std::uint64_t key,
                    PairWitness& witness);
 
     // Offers a hit that the caller found in another way. Its real parameter must be exactly `hit.parameter`.
     void offer(const Hit& hit, std::uint64_t key);
 
-    // Calls ask(), a search of its own in the same memory, which may overwrite the least hit there; returns its result.
+    // Calls ask(), which may be a search of its own in the same memory, and returns its result. Such a search may
+    // overwrite the least hit there, so the least hit is saved and put back.
     template <class Function>
     auto beside(const Function& ask) {
         const Kept least = keep();
@@ -62,7 +63,7 @@ class FirstHit {
     double limit() const noexcept { return scaled_.unscaled_above(limit_); }
 
     bool found() const noexcept { return found_; }
-    // Returns the least hit, rounded once. Call only if found().
+    // Returns the least hit, rounded once. Call it only if found().
     KeyedHit get() const;
 
   private:
@@ -85,8 +86,8 @@ class FirstHit {
     KeyedHit least_;
 };
 
-// Finds all hits, in the order of their real parameters, then of keys, then of triangles; those of one body that were
-// offered, in the order in which they were.
+// AllHits finds all hits, in the order of their real parameters, then of keys, then of triangles. Hits of one body that
+// were passed to offer() stay in the order of the calls.
 class AllHits {
   public:
     AllHits(const Line& line, QueryMemory& memory);

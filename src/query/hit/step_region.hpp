@@ -1,8 +1,8 @@
 // StepRegion serves a segment that moves in small steps: it gathers the leaves of one body near the segment's path once
 // for many steps.
 //
-// It changes the work but no answer. A segment within the region is tested against every triangle there that it may
-// hit; for any other segment the caller walks the tree.
+// It changes the work but no answer. A segment within the region is tested against every triangle of the region that it
+// may hit; for any other segment the caller walks the tree.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class StepRegion {
     NearLeaves& leaves() noexcept { return leaves_; }
 
     // Stores a segment that is not within the region as the last one. If it has moved little since the segment before,
-    // gathers a new region around it and its path ahead. If the region before served few segments, waits for some
+    // gathers a new region around it and its path ahead. If the previous region served few segments, waits for some
     // segments first.
     void follow(const Line& segment, const MeshBvh& tree, const LineAxes& axes, std::uint64_t& box_tests) noexcept {
         if (leaves_.is_ready()) {
@@ -61,10 +61,10 @@ class StepRegion {
     }
 
   private:
-    // Chosen by measuring a path over a torus, with segments from each point to the next: any steps_ahead from 16 to 32
-    // is as good as 20.
+    // These were chosen by measuring a path over a torus, with segments from each point to the next: any steps_ahead
+    // from 16 to 32 is as good as 20.
     static constexpr double steps_ahead = 20, steps_aside = 2;
-    static constexpr double moved_max = 3;  // in lengths of the segment; a greater move is a jump
+    static constexpr double moved_max = 3;  // in lengths of the segment; a greater move counts as a jump
     static constexpr std::uint32_t served_min = 4, rest_max = 63;
 
     void has_served(bool enough) noexcept {
@@ -77,7 +77,7 @@ class StepRegion {
     bool has_last_ = false;
     std::uint32_t served_ = 0;
     std::uint32_t rest_ = 0,
-                  rest_next_ = 0;  // segments to wait without a region: from now on, and after the last region
+                  rest_next_ = 0;  // segments to wait without a region: now, and after the last region
 };
 
 }  // namespace ecods

@@ -56,7 +56,7 @@ constexpr double slack = 1 + 0x1p-20;
 ECODS_ALWAYS_INLINE Double4 load4(const std::array<double, 4>& v) noexcept {
     return load<Double4>(v.data());
 }
-// Return, for each axis, the product and the sum of the components on the two other axes.
+// Return, for each axis, the product or the sum of the components on the two other axes.
 ECODS_ALWAYS_INLINE Double4 products(Double4 a) noexcept {
     return shuffle<1, 2, 0, 3>(a) * shuffle<2, 0, 1, 3>(a);
 }
@@ -90,8 +90,8 @@ ECODS_ALWAYS_INLINE Double4 sums_of(Double4 a, Double4 b, Double4 c, Double4 d) 
 // sum of (B + 3.01 u' |n|) (|p| + delta) + |n| delta.
 //
 // No number is infinite or a NaN: a sum S of magnitudes at which posing could overflow makes delta at least 4 u' S, and
-// such a delta is beyond size_max. In a mode that rounds down, an upper end that overflows becomes the largest double.
-// No hit is beyond that, since a point of the triangle is at most sqrt(3) size_max from 0.
+// then delta exceeds size_max. In a mode that rounds down, an upper end that overflows becomes the largest double. No
+// hit is beyond this end, since a point of the triangle is at most sqrt(3) size_max from 0.
 // Claim: verify/proofs/triangle_hits.py
 ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std::array<const Vec3*, 3>& corners,
                                                   HitEnclosure& result) noexcept {
@@ -104,7 +104,7 @@ ECODS_ALWAYS_INLINE void TriangleHits::enclose_in(const InDoubles& s, const std:
     const Double4 p_size = absolute(p), E = max(p_size, max(absolute(q), absolute(r))), EE = products(E);
     const double delta = s.delta, delta_square = delta * delta;
     const Double4 each = (11 * two_u * EE + (2.01 * delta) * sums(E)) + 2 * delta_square;
-    // The four lanes are the weights of r, p and q, and the bound of the weights' errors.
+    // The four lanes are the weights of r, p and q, and the error bound of the weights.
     const Double4 weights =
         sums_of(cross(p, q) * d, cross(q, r) * d, cross(r, p) * d, each * d_size + 2.01 * EE * d_error);
     const double beside = weights[3] * slack;
@@ -188,8 +188,8 @@ bool TriangleHits::round_crossing(const Triangle& corners, RoundedCrossing& cros
     return exact::round_crossing({line_->a, points_.direction(), points_.unit()}, short_points(corners), crossing);
 }
 
-// Calls use(direction, corners) with the line's direction and the corners, relative to the line's beginning, as vectors
-// of limbs.
+// Calls use(direction, corners) with the line's direction and the corners as vectors of limbs. The corners are relative
+// to the line's beginning.
 template <class Use>
 auto TriangleHits::with_limbs(const Triangle& corners, Use&& use) {
     if (has_short_points()) {

@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-// Holds what doubles prove about the points that a line shares with a triangle.
+// A HitEnclosure holds what doubles prove about the points that a line shares with a triangle.
 struct HitEnclosure {
     enum class Verdict : std::uint8_t {
         none,  // they share no point
@@ -23,10 +23,10 @@ struct HitEnclosure {
     Verdict verdict = Verdict::open;
     bool is_crossing = false;     // true if the line certainly crosses the triangle's plane, at one point
     bool has_area = false;        // true if the triangle's corners are certainly not on one line
-    double lower = 0, upper = 0;  // bounds of the scaled parameter of the shared point, if there is one
+    double lower = 0, upper = 0;  // bounds of the scaled parameter of the first shared point, if there is one
 };
 
-// Triangles are passed by their vertices, in the order of Mesh::triangles().
+// TriangleHits takes triangles by their vertices, in the order of Mesh::triangles().
 class TriangleHits {
   public:
     // Computes the numbers that depend on the body alone. Cost: constant.
@@ -41,11 +41,11 @@ class TriangleHits {
     // Returns true if the line shares a point with the triangle, and then sets `hit`.
     bool find(const Triangle& triangle, exact::LineHit& hit);
 
-    // Sets `hit` to the only shared point. Call only if enclose() has proven that the line crosses the triangle inside
-    // its face.
+    // Sets `hit` to the only shared point. Call it only if enclose() has proven that the line crosses the triangle
+    // inside its face.
     void find_crossing(const Triangle& triangle, exact::LineHit& hit);
-    // Sets `crossing` to the same point with rounded numbers, and returns true. Returns false if that is not possible
-    // cheaply.
+    // Sets `crossing` to the only shared point with rounded numbers, and returns true. Returns false if this is not
+    // possible cheaply. Call it only if enclose() has proven that the line crosses the triangle inside its face.
     bool round_crossing(const Triangle& triangle, exact::RoundedCrossing& crossing);
 
   private:
@@ -54,7 +54,7 @@ class TriangleHits {
     template <class Use>
     auto with_limbs(const Triangle& triangle, Use&& use);
 
-    // Holds the arguments of enclose_in(): vectors of three coordinates, padded by a zero.
+    // InDoubles holds the arguments of enclose_in(): vectors of three coordinates, padded by a zero.
     struct alignas(32) InDoubles {
         std::array<std::array<double, 4>, 3> R;  // by columns
         std::array<double, 4> offset;            // fl(t - a)
