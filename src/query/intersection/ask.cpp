@@ -94,8 +94,8 @@ QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
 
 namespace {
 
-// Holds the memories of a thread that no question is using. There may be several: a question that a caller's test asks
-// within another question needs a memory of its own.
+// SpareMemories holds the memories of a thread that no question is using. There may be several, because a question that
+// a caller's test asks within another question may need a memory of its own.
 struct SpareMemories {
     std::vector<std::unique_ptr<QueryMemory>> list;
     std::size_t made_count = 0;
@@ -103,7 +103,7 @@ struct SpareMemories {
     ~SpareMemories();
 };
 
-// Set when the thread's `spares` are destroyed, because objects that are destroyed later may still ask questions.
+// Is set when the thread's `spares` are destroyed: objects that are destroyed later may still ask questions.
 thread_local bool are_spares_gone = false;
 thread_local SpareMemories spares;
 

@@ -7,8 +7,8 @@
 
 namespace ecods {
 
-// Lends a memory to one question: the memory that the calling thread's last question used, or a new one while that
-// memory is lent to another question.
+// An OwnMemory lends a memory to one question: the memory that the calling thread's last question used, or, while that
+// memory is lent to another question, a new one.
 class OwnMemory {
   public:
     OwnMemory();
@@ -22,8 +22,8 @@ class OwnMemory {
     std::unique_ptr<QueryMemory> memory_;
 };
 
-// Gives a question its memory and its witness while it runs, and at the end adds its work to ask.counts. `ask` must
-// outlive this object.
+// An Asking gives a question its memory and its witness while it runs, and at the end adds the work of the question to
+// ask.counts. `ask` must outlive this object.
 class Asking {
   public:
     explicit Asking(const Ask& ask) : ask_(ask) {
@@ -41,7 +41,7 @@ class Asking {
 
     QueryMemory& memory() noexcept { return ask_.memory != nullptr ? *ask_.memory : own_->get(); }
 
-    // Returns the caller's witness; without one, an empty witness.
+    // Returns the caller's witness, or, if the caller gave none, an empty witness.
     PairWitness& witness() noexcept { return ask_.witness != nullptr ? *ask_.witness : no_witness_; }
 
   private:

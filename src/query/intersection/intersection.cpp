@@ -20,7 +20,7 @@ namespace ecods {
 
 namespace {
 
-// MeshAt refers to a mesh and its pose, and copies neither.
+// A MeshAt refers to a mesh and its pose, and copies neither.
 struct MeshAt {
     MeshAt(const Posed<MeshShape>& posed) : shape(*posed.what), pose(posed.pose) {}
     MeshAt(const Posed<Shape>& posed) : shape(static_cast<const MeshShape&>(*posed.what)), pose(posed.pose) {}
@@ -29,7 +29,7 @@ struct MeshAt {
     const Pose& pose;
 };
 
-// Query holds the two bodies of a running query, and the memory that the query works in.
+// A Query holds the two bodies of a running query, and the memory that the query works in.
 class Query {
   public:
     Query(const MeshAt& a, const MeshAt& b, QueryMemory& memory)
@@ -63,16 +63,16 @@ class Query {
         return Relation::crossing;
     }
 
-    // Binds the axes to the bodies. Returns the index of an axis that separates the roots' boxes, or -1 if none does.
-    // Tries the axis `first` first.
+    // Binds the axes to the bodies. Returns the index of an axis that separates the roots' boxes, or -1 if no axis
+    // does. Tries the axis `first` first.
     int bind_axes(int first = -1) {
         return state_.axes.bind({a().tree.boxes, a().pose.R}, {b().tree.boxes, b().pose.R}, b().pose.t - a().pose.t,
                                 first);
     }
 
-    // Calls ask(a, b) with both bodies in other units, and returns its result, if other units are better. Otherwise
+    // Calls ask(a, b) with both bodies in other units, and returns its result, if other units are better; otherwise
     // returns nullopt. Other units are considered only if floats bound nothing on the axes, as happens near the ends of
-    // the range of doubles. Call after bind_axes().
+    // the range of doubles. Call it after bind_axes().
     template <class Function>
     std::optional<std::invoke_result_t<Function, MeshAt, MeshAt>> ask_in_other_units(QueryMemory& memory,
                                                                                      const Function& ask) {
@@ -86,8 +86,8 @@ class Query {
         return as_part(memory, [&] { return ask(MeshAt(other_a), MeshAt(other_b)); });
     }
 
-    // Calls visit(i, j, crosses) for pairs of triangles until it returns false. Visits every pair that shares a point,
-    // and some others. `crosses` is true if the pair is known to cross. Call after bind_axes().
+    // Calls visit(i, j, crosses) for pairs of triangles until `visit` returns false. Visits every pair that shares a
+    // point, and some others. `crosses` is true if the pair is known to cross. Call it after bind_axes().
     template <class Visit>
     void visit_near_pairs(Visit&& visit) {
         if (!pair_is_bound_) state_.pair.forget_groups();
@@ -100,15 +100,15 @@ class Query {
     }
 
   private:
-    // Ends the use of state_.pair and adds its counts to the memory's. Must be called before another query uses the
+    // Ends the use of state_.pair and adds its counts to those of the memory. Call it before another query uses the
     // memory.
     void leave_pair() noexcept {
         if (pair_is_bound_) state_.counts.stages += state_.pair.counts();
         pair_is_bound_ = false;
     }
 
-    // Binds state_.pair to the bodies. Called at the first pair of triangles, so that queries without any do not pay
-    // for it.
+    // Binds state_.pair to the bodies. This is called at the first pair of triangles, so that queries without such
+    // pairs do not pay for it.
     void bind_pair() {
         state_.pair.reset_counts();
         state_.pair.bind(a().ref(), b().ref());
@@ -124,7 +124,7 @@ class Query {
     bool pair_is_bound_ = false;
 };
 
-// True if the witness names a triangle of each body. Otherwise it may name an axis instead; see axis_of().
+// Returns true if the witness names a triangle of each body. Otherwise the witness may name an axis; see axis_of().
 bool holds_triangles(const PairWitness& witness, const MeshAt& a, const MeshAt& b) {
     return witness.a < a.shape.mesh().triangles().size() && witness.b < b.shape.mesh().triangles().size();
 }

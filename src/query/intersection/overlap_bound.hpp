@@ -1,4 +1,4 @@
-// Defines the bound for walks of two trees that search for common points.
+// Defines the bound of walks of two trees that search for common points.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 
 namespace ecods {
 
-// Says which pairs a walk skips: pairs of boxes and of triangles that an axis or a plane certainly separates.
+// An OverlapBound says which pairs a walk skips: pairs of boxes and of triangles that an axis or a plane certainly
+// separates.
 class OverlapBound {
   public:
     OverlapBound(const std::array<AxisSet, 2>& sets, QueryCounts& counts) : sets_(sets), counts_(counts) {}
@@ -29,9 +30,9 @@ class OverlapBound {
         return ecods::triangle_pairs(sets_, x, y);
     }
 
-    // Moves the pair of children with the nearest centers to the end of `children`, where the walk takes the next pair
-    // from, if at least four pairs overlap. This helps if bodies overlap deeply: that pair nearly always intersects.
-    // Only the order of the walk depends on it.
+    // If at least four pairs of children overlap, moves the pair with the nearest centers to the end of `children`,
+    // from where the walk takes the next pair. This helps if bodies overlap deeply: then that pair nearly always
+    // intersects. Only the order of the walk depends on it.
     void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {
         constexpr std::size_t crowd_min = 4;
         if (children.size() < crowd_min) return;

@@ -1,4 +1,4 @@
-// Extends the bound for walks of two trees that search for common points by groups of coplanar triangles.
+// Extends the bound of walks that search for common points by groups of coplanar triangles.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// Bounds a walk as OverlapBound does. Once groups are in use, also skips a pair of nodes if all triangles of each node
-// lie in one plane, and the two planes are parallel with a gap, however small.
+// A PlaneBound bounds a walk as OverlapBound does. Once groups are in use, it also skips a pair of nodes if all
+// triangles of each node lie in one plane, and the two planes are parallel with a gap, however small.
 class PlaneBound {
   public:
     // The arguments must outlive this object. `relations` need not be bound to the bodies yet.
@@ -30,8 +30,8 @@ class PlaneBound {
     }
 
   private:
-    // True if all triangles of x are known to lie in one plane, all triangles of y in another, and these two are
-    // parallel with a gap.
+    // Returns true if all triangles of x are known to lie in one plane, all triangles of y in another, and these two
+    // planes are parallel with a gap.
     template <class X, class Y>
     bool are_apart(const X& x, const Y& y) {
         if (!relations_.uses_groups()) return false;

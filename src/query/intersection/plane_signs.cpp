@@ -9,8 +9,8 @@ using namespace exact;
 
 namespace {
 
-// Makes a cache key. Planes of the two bodies have different keys; indices of triangles, groups and vertices have 31
-// bits.
+// Returns the key of a sign in a cache. Planes of the two bodies have different keys; indices of triangles, groups and
+// vertices have 31 bits.
 std::uint64_t key_of(std::size_t body, std::uint32_t own, std::uint32_t other) noexcept {
     return (std::uint64_t{own} << 33) | (std::uint64_t{other} << 1) | body;
 }
@@ -56,10 +56,11 @@ Sides PlaneSigns::complete(Sides sides, std::size_t body, std::uint32_t own, std
     return sides;
 }
 
-// Computes side_of_parallel() from one triangle of each group. Let p be the one of `body`, q the other, and n =
-// normal(p0, p1, p2). If n . (q1 - q0) = n . (q2 - q0) = 0, then n . x is the same for all points x of the plane of q.
-// Proof: a triangle of positive area spans its plane in the mesh, and affine maps keep this, so every point of the
-// plane is q0 + s (q1 - q0) + t (q2 - q0) for some real s and t. If the pose makes n zero, all signs are zero, too.
+// Computes side_of_parallel() from one triangle of each group. Let p be the triangle of `body`, q the other triangle,
+// and n = normal(p0, p1, p2). If n . (q1 - q0) = n . (q2 - q0) = 0, then n . x is the same for all points x of the
+// plane of q. Proof: a triangle of positive area spans its plane in the mesh, and affine maps keep this, so every point
+// of the plane is q0 + s (q1 - q0) + t (q2 - q0) for some real s and t. If the pose makes n zero, all signs are zero,
+// too.
 int PlaneSigns::compute_side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group) {
     ++computed_count_;
     const std::size_t other = 1 - body;
@@ -84,10 +85,10 @@ int PlaneSigns::side_of_parallel(std::size_t body, std::uint32_t group, std::uin
 }
 
 // Returns true if two parallel planes are proven to have the bodies on both sides of the gap between them. Plane P is
-// of `group` of `body`, plane Q of `other_group`; `side` is the side of P on which Q is. The open slab between P and Q
-// is free of both bodies if all of `body` is on the closed side of P away from Q, and all of the other body is on the
-// closed side of Q away from P. A pose R multiplies the side of a point relative to a plane of its mesh by the sign of
-// det R. If det R is zero, the body is in P, and so on both closed sides.
+// that of `group` of `body`, plane Q that of `other_group`; `side` is the side of P on which Q is. The open slab
+// between P and Q is free of both bodies if all of `body` is on the closed side of P away from Q, and all of the other
+// body is on the closed side of Q away from P. A pose R multiplies the side of a point relative to a plane of its mesh
+// by the sign of det R. If det R is zero, the body is in P, and so on both closed sides.
 bool PlaneSigns::part_bodies(std::size_t body, std::uint32_t group, std::uint32_t other_group, int side) {
     const std::size_t other = 1 - body;
     const int own_side = groups_[body]->side[group], other_side = groups_[other]->side[other_group];

@@ -1,10 +1,10 @@
-// PlaneSigns finds the side of a plane, spanned by a triangle of one body, on which a vertex of the other body lies.
+// PlaneSigns finds on which side of a plane, spanned by a triangle of one body, a vertex of the other body lies.
 // Integers compute each sign once for a query; then it is cached.
 //
 // Bodies that lie face on face have many pairs of triangles that the filter cannot decide, but few planes. If the
-// coplanar triangles of a body are known (query/shape/coplanar_groups.hpp), they share one plane. If planes of two such
-// groups are parallel, as for parts modelled face on face under one rotation, all points of one are on the same side of
-// the other.
+// coplanar triangles of a body are known (query/shape/coplanar_groups.hpp), they share one plane. If the planes of two
+// groups are parallel, as for parts modelled face on face under one rotation, all points of one group are on the same
+// side of the other group's plane.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace ecods {
 
-// NumberMemo is a direct-mapped cache of small numbers by 64-bit keys. Each entry holds the last key used among all
-// keys that are hashed to it.
+// A NumberMemo is a direct-mapped cache of small numbers by 64-bit keys. Of all keys that are hashed to an entry, the
+// entry holds the one that was used last.
 class NumberMemo {
   public:
     void clear() noexcept {
@@ -47,7 +47,7 @@ class NumberMemo {
         std::uint32_t epoch = 0;
         std::int32_t number = 0;
     };
-    std::vector<Entry> entries_;  // empty until first use
+    std::vector<Entry> entries_;  // empty before the first use
     std::uint32_t epoch_ = 1;
 };
 
@@ -63,8 +63,8 @@ class PlaneSigns {
         sides_.clear();
     }
 
-    // Lets signs be computed from now on. `a` and `b` must be the groups of the frame's two bodies, and outlive this
-    // object; either may be empty. The frame's arithmetic must be one of the integer kinds.
+    // From now on, computes signs. `a` and `b` must be the groups of the frame's two bodies, and outlive this object;
+    // either may be empty. The frame's arithmetic must be one of the integer kinds.
     void use(exact::Frame& frame, const CoplanarGroups& a, const CoplanarGroups& b) noexcept;
     bool are_used() const noexcept { return groups_[0] != nullptr; }
     const CoplanarGroups& groups(std::size_t body) const noexcept { return *groups_[body]; }
@@ -72,18 +72,18 @@ class PlaneSigns {
     // Returns how many signs were computed in integers.
     std::uint64_t computed_count() const noexcept { return computed_count_; }
 
-    // Returns `sides` with each zero replaced by the exact sign. `sides[i]` is the sign of corner i of triangle
-    // `other`, of the other body, relative to the plane of triangle `own` of `body`.
+    // Returns `sides` with each zero replaced by the exact sign. sides[i] is the sign of corner i of triangle `other`
+    // (of the other body) relative to the plane of triangle `own` of `body`.
     exact::Sides complete(exact::Sides sides, std::size_t body, std::uint32_t own, std::uint32_t other);
 
-    // True if two parallel planes were found that have one body on each side of the gap between them.
+    // Returns true if two parallel planes were found that have one body on each side of the gap between them.
     bool are_parted() const noexcept { return is_parted_; }
 
-    // True if triangle a of the first body and triangle b of the second are in groups whose planes are parallel with a
-    // gap.
+    // Returns true if triangle a of the first body and triangle b of the second are in groups whose planes are parallel
+    // with a gap.
     bool are_triangles_apart(std::uint32_t a, std::uint32_t b);
 
-    // True if the planes of a group of the first body and a group of the second are parallel with a gap.
+    // Returns true if the planes of a group of the first body and a group of the second are parallel with a gap.
     bool are_apart(std::uint32_t group_a, std::uint32_t group_b) {
         const int side = side_of_parallel(0, group_a, group_b);
         return side == 1 || side == -1;
@@ -92,8 +92,8 @@ class PlaneSigns {
   private:
     static constexpr int not_parallel = 2;
 
-    // Returns on which side of the plane of `group`, of `body`, all points of `other_group`, of the other body, lie.
-    // Returns not_parallel if the planes of the two groups are not parallel.
+    // Returns the side of the plane of `group` (of `body`) on which all points of `other_group` (of the other body)
+    // lie. Returns not_parallel if the planes of the two groups are not parallel.
     int side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group);
     int compute_side_of_parallel(std::size_t body, std::uint32_t group, std::uint32_t other_group);
     bool part_bodies(std::size_t body, std::uint32_t group, std::uint32_t other_group, int side);
@@ -101,7 +101,7 @@ class PlaneSigns {
     // Returns the orientation of the body's pose: -1 if it mirrors the body, otherwise 1.
     int turn(std::size_t body);
 
-    // Returns on which side of the plane of triangle `own`, of `body`, a vertex of the other body lies.
+    // Returns the side of the plane of triangle `own` (of `body`) on which a vertex of the other body lies.
     int side(std::size_t body, std::uint32_t own, std::uint32_t vertex);
 
     const Triangle& triangle(std::size_t body, std::uint32_t index) const {

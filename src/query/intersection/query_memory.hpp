@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// Base of the parts that other folders define. A part is created on first use.
+// QueryMemoryPart is the base of the parts that other folders define. A part is created on first use.
 struct QueryMemoryPart {
     virtual ~QueryMemoryPart() = default;
 };
@@ -39,7 +39,7 @@ struct QueryMemoryAccess {
     }
 };
 
-// Calls ask(), a query within another query. Its work is counted, but it is not counted as a query of its own.
+// Calls ask(), a query within another query. The work of ask() is counted, but not as a query of its own.
 template <class Function>
 auto as_part(QueryMemory& memory, Function&& ask) {
     struct NotCounted {
@@ -51,7 +51,7 @@ auto as_part(QueryMemory& memory, Function&& ask) {
     return ask();
 }
 
-// Makes one query of several within it.
+// Calls ask(), which makes several queries, and counts them as one query.
 template <class Function>
 auto as_one_query(QueryMemory& memory, Function&& ask) {
     ++QueryMemoryAccess::state(memory).counts.queries;

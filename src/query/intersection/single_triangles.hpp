@@ -11,7 +11,7 @@
 namespace ecods {
 
 // Returns the relation of triangle i of a and triangle j of b if plain doubles with one error bound decide it;
-// otherwise nullopt. Needs no trees, and nothing that is prepared for a pair of bodies.
+// otherwise nullopt. It needs no trees, and no other preparation of the bodies.
 std::optional<Relation> filter_triangles(const Mesh& a, std::uint32_t i, const Pose& pose_a, const Mesh& b,
                                          std::uint32_t j, const Pose& pose_b) noexcept;
 

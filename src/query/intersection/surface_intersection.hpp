@@ -12,10 +12,11 @@
 
 namespace ecods::surface {
 
-// Leaves in the witness two triangles that share a point, an axis that parts the bodies as a whole, insides included,
-// or neither.
+// Returns true if the surfaces share a point. Leaves in the witness two triangles that share a point, or an axis that
+// separates the bodies as a whole, insides included, or neither.
 bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask);
-// Asks the same of two shapes that must be MeshShapes, without copies of their poses: a world asks it most often.
+// Returns the same for two shapes that must be MeshShapes, without copies of their poses: this is the question that a
+// world asks most often.
 bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask);
 bool holds_axis(const PairWitness& witness) noexcept;
 

@@ -17,7 +17,7 @@ using namespace exact;
 
 void TriangleRelations::bind(const BodyRef& a, const BodyRef& b) {
     std::array<BodyRef, 2> bodies{a, b};
-    // If both bodies have the same pose, the mesh coordinates are compared instead of posed points.
+    // If both bodies have the same pose, mesh coordinates are compared instead of posed points.
     cancel_common_pose(bodies);
     frame_.bind(bodies);
     triangles_ = {a.mesh->triangles().data(), b.mesh->triangles().data()};
@@ -70,7 +70,7 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
     return relation;
 }
 
-// Decides a pair of triangles that the filter left undecided with the bound for the two bodies.
+// Decides a pair of triangles that the filter with the error bound of the two bodies left undecided.
 [[gnu::noinline]] Relation TriangleRelations::decide_open(std::uint32_t a, std::uint32_t b, const Points<6>& points,
                                                           const FilterTrace& trace) {
     const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
@@ -101,8 +101,8 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
 namespace {
 
 // Returns true only if all vertices of the mesh have the same coordinate on the axis. extent.half is the rounded half
-// of a difference of two doubles. If they differ, it can be zero only if both are near the least doubles: hence 2^-900.
-// Zeros are recognized by their bits, because a processor may treat other numbers as zero.
+// of the difference of two doubles. If these differ, it can be zero only if both are near the least doubles: hence
+// 2^-900. Zeros are recognized by their bits, because a processor may treat other numbers as zero.
 bool is_constant(const MeshExtent& extent, int axis) noexcept {
     if (extent.digits[static_cast<std::size_t>(axis)].empty()) return true;
     return extent.half[axis] == 0 && extent.magnitude[axis] > 0x1p-900;
@@ -152,8 +152,8 @@ Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const 
 }
 
 // Returns true if coplanar groups decide pairs from now on; enables the groups if it is time. A mesh's groups are found
-// once, and only after integers have decided at least one pair of the query for each 512 triangles. So queries with few
-// such pairs do not pay for the search. The rule depends only on the query, so equal queries count equal work.
+// once, and only after integers have decided at least one pair of the query for each 512 triangles. So queries with
+// fewer such pairs do not pay for the search. The rule depends only on the query, so equal queries count equal work.
 bool TriangleRelations::may_use_groups() {
     if (planes_.are_used()) return true;
     if (shapes_[0] == nullptr) return false;
@@ -214,8 +214,8 @@ class SignsOfPlanes {
 
 }  // namespace
 
-// Decides a pair by signs about the triangles' planes. Leaves coplanar triangles to integers, because they need many
-// more signs.
+// Decides a pair by the sides of the triangles' planes on which corners lie. Leaves coplanar triangles to integers,
+// because they need many more signs.
 Relation TriangleRelations::decide_by_planes(std::uint32_t a, std::uint32_t b, const Corners& corners,
                                              const Points<6>& points, const DeterminantBounds& bounds,
                                              const FilterTrace& trace) {

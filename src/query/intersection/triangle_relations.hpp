@@ -1,4 +1,4 @@
-// Decides the relations of pairs of triangles of two posed meshes exactly.
+// TriangleRelations decides the relations of pairs of triangles of two posed meshes exactly.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ class TriangleRelations {
     // Cost: constant. Everything that the arguments refer to must outlive this object.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
 
-    // Allows groups of coplanar triangles to be used; call it after bind(), with the shapes of the same meshes. Groups
-    // are found in these shapes once integers have decided some pairs. Without a call, every pair is decided on its
+    // Allows groups of coplanar triangles to be used. Call it after bind(), with the shapes of the same meshes. Groups
+    // are found in these shapes once integers have decided some pairs. Without this call, every pair is decided on its
     // own.
     void offer_groups(const MeshShape& a, const MeshShape& b) noexcept {
         shapes_ = {&a, &b};
@@ -40,7 +40,7 @@ class TriangleRelations {
         planes_.clear();
     }
 
-    // True if groups are in use. A walk may then skip two groups for which are_apart() is true.
+    // Returns true if groups are in use. A walk may then skip two groups for which are_apart() is true.
     bool uses_groups() const noexcept { return planes_.are_used(); }
     bool are_parted() const noexcept {
         return planes_.are_parted();
@@ -55,7 +55,7 @@ class TriangleRelations {
     void reset_counts() noexcept { counts_ = {}; }
 
   private:
-    // The corners of a triangle of the first body, then of a triangle of the second.
+    // The corners of a triangle of the first body, then those of a triangle of the second.
     using Corners = std::array<exact::VertexRef, 6>;
 
     exact::Points<6> rounded(const Triangle& a, const Triangle& b);
@@ -79,8 +79,8 @@ class TriangleRelations {
     double flat_bound_ = 0;  // error bound of every orient2d along flat_axis_
     // Finds the groups of a shape. It is a pointer so that programs without shapes are not linked with trees.
     const CoplanarGroups& (*groups_of_)(const MeshShape&) = nullptr;
-    std::array<const MeshShape*, 2> shapes_{};  // null without shapes, and once groups are used or found empty
-    std::size_t open_count_ = 0;                // number of pairs left to integers while shapes_ are set
+    std::array<const MeshShape*, 2> shapes_{};  // null without shapes, and once groups are in use or found to be empty
+    std::size_t open_count_ = 0;                // pairs left to integers while shapes_ are set
     PlaneSigns planes_;
     StageCounts counts_;
 };
