@@ -9,7 +9,8 @@
 
 namespace ecods {
 
-// PointSigns computes exact signs of points of a frame's bodies. Each call converts its points again, so it is slow.
+// PointSigns computes exact signs of points of a frame's bodies. It is slow, because each call converts its points
+// again.
 class PointSigns {
   public:
     using Point = exact::VertexRef;
@@ -21,15 +22,16 @@ class PointSigns {
     int compare(Point a, Point b, int axis);
     int normal_axis(Point a, Point b, Point c);
 
-    // True if b comes after a in the direction from p to q. All four points must be on one line, and p differ from q.
+    // Returns true if b comes after a in the direction from p to q. All four points must be on one line, and p must
+    // differ from q.
     bool are_in_order(Point p, Point q, Point a, Point b);
 
   private:
     exact::Frame& frame_;
 };
 
-// Wing is a half-plane that is bounded by the line: the one that contains `apex`, a vertex of the triangle's body. The
-// sector after a wing is the next one in a right-handed turn around the line from p to q.
+// A Wing is a half-plane bounded by the line: the one that contains `apex`, a vertex of the triangle's body. The sector
+// after a wing is the next one in a right-handed turn around the line from p to q.
 struct Wing {
     PointSigns::Point apex;
     std::uint32_t triangle;
@@ -38,9 +40,9 @@ struct Wing {
 };
 
 // Sorts wings by angle around the line from p to q, beginning in the direction of the first wing, and sets their
-// groups. Let w0 be the apex of the first wing. The sign of orient3d(p, q, w0, w) says in which half-turn the apex w
-// is. If it is 0, w is in the plane of w0, and on the same side of the line if orient2d(p, q, w) has the sign of
-// orient2d(p, q, w0). Within a half-turn, the sign of orient3d(p, q, w, w') orders w and w'.
+// groups. Let w0 be the apex of the first wing. The sign of orient3d(p, q, w0, w) says in which half-turn an apex w is.
+// If it is 0, w is in the plane of p, q and w0; it is on the same side of the line as w0 if orient2d(p, q, w) has the
+// sign of orient2d(p, q, w0). Within a half-turn, the sign of orient3d(p, q, w, w') orders w and w'.
 void sort_fan(PointSigns& signs, PointSigns::Point p, PointSigns::Point q, std::vector<Wing>& wings);
 
 }  // namespace ecods

@@ -1,6 +1,7 @@
-// A mesh that covers a convex polygon. Let its triangles all turn one way. If each side of a triangle occurs once, and
-// those that no triangle has in the other direction go once around the polygon, the triangles tile it: the number of
-// triangles around a point is the winding number of these sides, which is 1 inside the polygon and 0 outside.
+// Decides whether a mesh covers a flat convex set. For a polygon, let all triangles turn one way. If each side of a
+// triangle occurs once, and the sides that no triangle has in the other direction go once around the polygon, the
+// triangles tile it: the number of triangles around a point is the winding number of these sides, which is 1 inside the
+// polygon and 0 outside.
 #include "query/solid/flat_mesh.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ using exact::VertexSigns;
 
 constexpr SideRef no_side{~std::uint32_t{0}, 0};
 
-// Finds the hull of points in one plane.
+// FlatHull finds the hull of points in one plane.
 class FlatHull {
   public:
     FlatHull(std::span<const Vec3> points, std::vector<std::uint32_t> among)
@@ -72,10 +73,10 @@ class FlatHull {
     std::span<const Vec3> points_;
     VertexSigns signs_;
     std::vector<std::uint32_t> order_;
-    int axis_ = 0;  // of the normal's first coordinate that is not zero
+    int axis_ = 0;  // axis of the normal's first coordinate that is not zero
 };
 
-// Matches the triangles of a mesh with the hull of their corners.
+// Cover matches the triangles of a mesh with the hull of their corners.
 class Cover {
   public:
     Cover(const ProperMesh& proper, bool has_area)
@@ -84,7 +85,7 @@ class Cover {
           triangles_(proper.mesh->triangles()),
           points_(proper.mesh->vertices()) {}
 
-    // Returns nullopt, after a look at some of the triangles, if they are not in one plane.
+    // Returns the flat set that the triangles cover; nullopt if they cover none.
     std::optional<FlatMesh> find() {
         std::vector<std::uint32_t> used;
         std::vector<std::uint8_t> is_used(points_.size(), 0);
@@ -102,7 +103,7 @@ class Cover {
     }
 
   private:
-    // A side of a triangle, turned as the polygon is.
+    // A Side is a side of a triangle, in the direction in which the polygon turns.
     struct Side {
         std::uint32_t from, to;
         SideRef name;
@@ -139,8 +140,8 @@ class Cover {
         return goes_around(sides, signs, axis);
     }
 
-    // True if no side occurs twice, and the sides that no triangle has in the other direction go once around the
-    // polygon. Names the edges. `sides` are sorted by their ends.
+    // Returns true if no side occurs twice, and the sides that no triangle has in the other direction go once around
+    // the polygon. Names the edges. `sides` must be sorted by their ends.
     bool goes_around(const std::vector<Side>& sides, const VertexSigns& signs, int axis) {
         std::vector<const Side*> next(points_.size(), nullptr);
         std::size_t left = 0;
@@ -168,7 +169,7 @@ class Cover {
         return left == 0;
     }
 
-    // True if the triangles, each a segment or a point, cover the segment or point `cycle`. Names the edge.
+    // Returns true if the triangles, each a segment or a point, cover the segment or point `cycle`. Names the edge.
     bool is_joined() {
         const auto is_less = [&](std::uint32_t p, std::uint32_t q) {
             return compare_points(points_[p], points_[q]) < 0;
@@ -193,7 +194,7 @@ class Cover {
     }
 
     const ProperMesh& proper_;
-    bool has_area_;  // true if some triangle has an area: then others do not count
+    bool has_area_;  // true if some triangle has an area; then only triangles with an area count
     std::span<const Triangle> triangles_;
     std::span<const Vec3> points_;
     FlatMesh flat_;

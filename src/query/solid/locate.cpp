@@ -15,7 +15,7 @@
 namespace ecods {
 namespace {
 
-// Returns true if no point of the body can be equal to the point on some axis k: |point - t| exceeds the sum of |R_ki|
+// Returns true if on some axis k no point of the body can be equal to the point: |point - t| exceeds the sum of |R_ki|
 // m_i, where m_i is the greatest magnitude of the mesh's coordinates on axis i. Rounding, with u' = 2^-52: the
 // difference is off by u' of itself, the three products and sums by 3.01 u' of the sum, and 2^-50 = 4 u'; each
 // underflow loses at most 2^-1022. Overflow does no harm: an infinite sum is not exceeded, and an infinite difference

@@ -10,8 +10,8 @@
 namespace ecods {
 namespace {
 
-// Holds a side of a triangle, in the list of the lesser of its two vertices. `other` is the greater vertex, by which
-// the list is sorted.
+// An OpenSide is a side of a triangle, in the list of the lesser of its two vertices. `other` is the greater vertex, by
+// which the list is sorted.
 struct OpenSide {
     std::uint32_t other;
     SideRef side;
@@ -19,15 +19,16 @@ struct OpenSide {
     friend constexpr auto operator<=>(const OpenSide&, const OpenSide&) = default;
 };
 
-// Holds one end of an edge that an odd number of triangles share: the vertex `at`. `other` is the edge's other end.
+// A LooseEnd is one end of an edge that an odd number of triangles share: the vertex `at`. `other` is the edge's other
+// end.
 struct LooseEnd {
     std::uint32_t at;
     std::uint32_t other;
     SideRef side;
 };
 
-// Orders the lines through a vertex `at` by direction. First, each direction is turned so that its first nonzero
-// coordinate is positive. Then lines are ordered by the axis of that coordinate, and then by slope.
+// LineOrder orders the lines through a vertex `at` by direction. First, each direction is turned so that its first
+// nonzero coordinate is positive. Then lines are ordered by the axis of that coordinate, and then by slope.
 class LineOrder {
   public:
     explicit LineOrder(std::span<const Vec3> vertices) : vertices_(vertices) {}

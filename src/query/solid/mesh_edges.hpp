@@ -10,7 +10,7 @@
 
 namespace ecods {
 
-// Names a side of a triangle: from corner `corner` to the next corner.
+// A SideRef names a side of a triangle: from corner `corner` to the next corner.
 struct SideRef {
     std::uint32_t triangle;
     std::uint32_t corner;
@@ -28,7 +28,7 @@ class MeshEdges {
   public:
     MeshEdges() = default;
 
-    // Throws InvalidMesh if the sides are too many for 32-bit indices. Cost: some passes over the triangles.
+    // Throws InvalidMesh if there are too many sides for 32-bit indices. Cost: some passes over the triangles.
     explicit MeshEdges(const ProperMesh& proper);
 
     std::size_t count() const noexcept { return first_.empty() ? 0 : first_.size() - 1; }
@@ -47,9 +47,9 @@ class MeshEdges {
     std::vector<SideRef> sides_;
 };
 
-// Throws NotSolid, with the indices of `given`, unless the triangles with area are closed. An edge with an even number
-// of sides cancels. The other edges are closed exactly if each point is an end of an even number of them on every line
-// through it: a union, modulo two, of finitely many segments of a line is empty if it has no ends.
+// Throws NotSolid, with the indices of `given`, unless the triangles with an area are closed. An edge with an even
+// number of sides cancels. The other edges are closed exactly if, on every line through a point, the point is an end of
+// an even number of them: a union, modulo two, of finitely many segments of a line is empty if it has no ends.
 void check_closed(const Mesh& given, const ProperMesh& proper, const MeshEdges& edges);
 
 }  // namespace ecods

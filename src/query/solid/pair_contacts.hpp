@@ -12,8 +12,8 @@ class PairContacts {
     // `frame` must be bound to two bodies and outlive this object.
     PairContacts(exact::Frame& frame, StageCounts& counts);
 
-    // Returns the contact of triangle a of the first body with triangle b of the second; b must have an area. The
-    // cheapest stage that decides it is used, as in query/intersection/triangle_relations.cpp.
+    // Returns the contact of triangle a of the first body with triangle b of the second; b must have an area. It is
+    // decided by the cheapest stage that can, as in query/intersection/triangle_relations.cpp.
     exact::TriangleContact contact(const Triangle& a, const Triangle& b);
 
   private:

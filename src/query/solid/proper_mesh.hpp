@@ -1,4 +1,4 @@
-// ProperMesh marks the triangles of positive area of a mesh, and gives corners with equal coordinates the same index.
+// A ProperMesh marks the triangles of positive area of a mesh, and gives corners with equal coordinates the same index.
 #pragma once
 
 #include <cstdint>
@@ -23,17 +23,17 @@ struct ProperMesh {
 // same coordinates.
 std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices);
 
-// Returns the points, of equal ones the first, as ascending indices.
+// Returns the indices of the points, ascending; of points with equal coordinates, only the first.
 std::vector<std::uint32_t> distinct(std::span<const Vec3> points);
 
 // Replaces corners by the least vertices with the same coordinates, and finds the triangles of positive area. Cost: one
 // pass over the vertices, with a hash table, and one over the triangles.
 ProperMesh find_proper(std::shared_ptr<const Mesh> mesh);
 
-// True if the three points are not on one line. Exact.
+// Returns true if the three points are not on one line. Exact.
 bool have_area(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
 
-// Compares points by x, then y, then z; the result is negative, zero or positive. Points of one line are so ordered
+// Compares points by x, then y, then z; the result is negative, zero or positive. So points of one line are ordered
 // along the line. Coordinates are compared by their bits, so a floating-point mode that treats subnormals as zero
 // changes nothing.
 int compare_points(const Vec3& a, const Vec3& b) noexcept;

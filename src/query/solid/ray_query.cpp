@@ -29,8 +29,8 @@ RayOrigin RayQuery::origin_of(VertexRef point) const {
     return {Vec3(p[0], p[1], p[2]), point_error_bound(of.pose->R, v.cwiseAbs(), d)};
 }
 
-// Returns the axes, as bits, on which the triangle's normal is not zero. The triangle must have an area, so there is
-// one.
+// Returns the axes, as bits, on which the triangle's normal is not zero. The triangle must have an area, so at least
+// one bit is set.
 std::uint32_t RayQuery::axes_across(std::size_t of, const Triangle& triangle) {
     const std::array<VertexRef, 3> corners = corners_and(of, triangle);
     std::uint32_t axes = 0;
@@ -56,7 +56,7 @@ RayQuery::Answer RayQuery::filter(std::uint32_t triangle, VertexRef from, RayDir
     if (doubles_are_exact()) return Answer::open;
     const Triangle& corners = triangle_at(body_, triangle);
     const Point& m = frame_.rounded(from.body, from.vertex);
-    const Point p = m;  // a copy: the next call for its body may replace m
+    const Point p = m;  // a copy: the next call for its body may overwrite m
     const Points<3> x{frame_.rounded(body_, corners[0]), frame_.rounded(body_, corners[1]),
                       frame_.rounded(body_, corners[2])};
     const double bound = bounds_.orient2d[static_cast<std::size_t>(ray.axis)];
@@ -117,8 +117,8 @@ bool RayQuery::is_inside_above(std::uint32_t index) {
     if (!may_meet) return false;
     const int turn = with_signs(frame_, corners_and(body_, triangle),
                                 [&](auto& signs) { return signs.orient2d(0, 1, 2, ray.axis); });
-    // If the normal has the ray's direction, the ray is on the side from which the corners turn left; if not, on the
-    // other side.
+    // If the normal has the ray's direction, the ray is on the side from which the corners turn left; otherwise it is
+    // on the other side.
     const bool is_odd = crosses_odd(ray, body_, triangle, index);
     return turn == ray.sign ? is_odd : !is_odd;
 }
@@ -144,7 +144,7 @@ Side RayQuery::side_beside(VertexRef p, VertexRef q, VertexRef r) {
 
 namespace {
 
-// Stores the feature in place.on if it is one, and the first in the order of kinds, triangles and corners so far.
+// If the feature is one, and precedes place.on in the order of kinds, triangles and corners, stores it in place.on.
 void note(const PointFeature& feature, std::uint32_t triangle, RayQuery::Place& place) {
     using Kind = PointFeature::Kind;
     if (feature.kind == Kind::none) return;

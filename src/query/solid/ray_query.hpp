@@ -34,13 +34,13 @@ class RayQuery {
     RayQuery(exact::Frame& frame, std::size_t body, const MeshTree& tree, std::vector<TreeRef>& stack,
              QueryCounts& counts);
 
-    // True if the points in the interior of `triangle`, of body `of`, that are infinitely near to its corner 0 are
-    // inside the solid. The triangle must have an area. At that corner it must share no segment with a triangle of the
-    // solid.
+    // Returns true if the points in the interior of `triangle`, of body `of`, that are infinitely near to its corner 0
+    // are inside the solid. The triangle must have an area. At that corner it must share no segment with a triangle of
+    // the solid.
     bool is_inside(std::size_t of, const Triangle& triangle);
 
-    // True if the region beside triangle `index` of this body is inside, on the side from which the triangle's corners
-    // turn left. The ray ignores the triangle itself.
+    // Returns true if the region beside triangle `index` of this body is inside, on the side from which the triangle's
+    // corners turn left. The ray ignores the triangle itself.
     bool is_inside_above(std::uint32_t index);
 
     struct Place {
@@ -53,8 +53,8 @@ class RayQuery {
     // The points p, q and r may be equal. The result Side::on names no feature.
     Side side_beside(exact::VertexRef p, exact::VertexRef q, exact::VertexRef r);
 
-    // Answers place_of() under any pose, also a singular one, for a body without inner points. `has_area` says which of
-    // its triangles count: all if it is empty.
+    // Returns the place of a point for a body without inner points, under any pose, also a singular one. `has_area`
+    // says which of the body's triangles count: all if it is empty.
     Place flat_place_of(exact::VertexRef point, std::span<const std::uint8_t> has_area);
 
   private:

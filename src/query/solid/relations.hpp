@@ -8,16 +8,17 @@
 
 namespace ecods {
 
-// Method: signs of determinants of input points alone. Where two triangles that are not coplanar share a segment, the
-// half-planes of both solids around its line, sorted, say which regions exist there; a shell without such a segment
-// lies on one side of the other solid, which one ray decides, from a point that is moved symbolically. That this is all
-// that can happen is proved in README.md.
+// Method: signs of determinants of input points alone. If two triangles that are not coplanar share a segment, the
+// half-planes of both solids around its line, sorted by angle, say which regions exist there. A shell without such a
+// segment lies on one side of the other solid; one ray decides on which, from a point that is moved symbolically.
+// README.md proves that no other case exists.
 
 // Returns apart, touching, overlapping, inside, contains or equal. A solid at a singular pose is apart from others or
-// touches them, which it does inside another solid, too.
+// touches them; inside another solid, it touches.
 Relation solid_relation(const Posed<Solid>& a, const Posed<Solid>& b, const Ask& ask);
 
-// Returns apart, touching, crossing or inside. All triangles of the surface count, also those of a solid's mesh.
+// Returns apart, touching, crossing or inside. All triangles of the surface count, also if the surface is the mesh of a
+// solid.
 Relation surface_relation(const Posed<MeshShape>& surface, const Posed<Solid>& solid, const Ask& ask);
 
 // Returns the relation of the second body to the first.

@@ -57,11 +57,11 @@ class SelfContacts {
     }
 
   private:
-    // Holds two triangles and their corners: the corners of a, then those of b.
+    // A Pair is two triangles and their corners: the corners of a, then those of b.
     struct Pair {
         Triangle a, b;
         Points<6> points;
-        std::array<int, 3> shared{-1, -1, -1};  // by corner of a: the same corner's position in b, or -1
+        std::array<int, 3> shared{-1, -1, -1};  // by corner of a: the position of the same corner in b, or -1
         int shared_count = 0;
 
         // Returns the position of the only common corner, in a and in b.
@@ -104,7 +104,7 @@ class SelfContacts {
 
     // Returns true if a side of one triangle separates the two triangles' projections along the axis on which the
     // normal of the first is largest. The triangles then share at most the corners that lie on this side. Only sides
-    // that contain all common corners are tried; if there are two common corners, that is one side.
+    // that contain all common corners are tried; for two common corners, there is one such side.
     bool is_flat_apart(const Pair& pair) const {
         const auto& w = pair.points;
         const PlainNormal normal = plain_normal(w[0], w[1], w[2]);
@@ -140,7 +140,7 @@ class SelfContacts {
     }
 
     // Filters two triangles with one common corner. This corner is in the other triangle's plane, so its sign is set to
-    // 0, whatever was computed. An edge comparison along the line of both planes has the sign 0 if both compared edges
+    // 0, whatever doubles give. The comparison of two edges along the line of both planes has the sign 0 if both edges
     // end in the common corner.
     static Answer filter_across_vertex(const Pair& pair, double bound) {
         const auto [i, j] = pair.common_corner();
@@ -191,13 +191,12 @@ class SelfContacts {
                 if (!is_one_edge(pair.a, i, pair.b, j)) result.overlaps = 1u << (3 * i + j);
             } else if (contact.kind == ContactKind::coplanar) {
                 result.is_crossing = coplanar_faces_overlap(signs, signs.normal_axis(0));
-                // Two triangles with disjoint interiors share a convex set. If this set contains a common edge, it is
-                // that edge.
+                // The two triangles have disjoint interiors, and share a convex set. If this set contains a common
+                // edge, it is that edge.
                 if (result.is_crossing || pair.shared_count == 2) return result;
                 const int axis = signs.normal_axis(0);
                 for (int i = 0; i < 3; ++i) {
-                    // If there is one common corner and the interiors are disjoint, only sides that end in this corner
-                    // can overlap.
+                    // With one common corner and disjoint interiors, only sides that end in this corner can overlap.
                     if (pair.shared_count == 1 && pair.shared[static_cast<std::size_t>(i)] < 0 &&
                         pair.shared[static_cast<std::size_t>(i + 1) % 3] < 0) {
                         continue;

@@ -12,15 +12,15 @@
 
 namespace ecods {
 
-// Holds two different edges that overlap along a segment, each as a side of a triangle.
+// An EdgeOverlap is two different edges that overlap along a segment, each as a side of a triangle.
 struct EdgeOverlap {
     SideRef a;
     SideRef b;
 };
 
 // Returns the least pair of triangles that share a segment or more which is not a side of both; nullopt if there is no
-// such pair. If there is none, appends to `overlaps` the pairs of sides that overlap along a segment but are different
-// edges.
+// such pair. In the latter case, appends to `overlaps` the pairs of sides that overlap along a segment but are
+// different edges.
 std::optional<TrianglePair> least_self_contact(const ProperMesh& proper, const MeshTree& tree,
                                                std::vector<EdgeOverlap>& overlaps);
 

@@ -47,17 +47,17 @@ class ShellFinder {
         open_.push_back(triangle);
     }
 
-    // Returns true if the sector just after the side's triangle is inside, in the case that the triangle's corners turn
-    // left seen from outside. Sectors are passed while turning around the edge from its lesser vertex to its greater
-    // one. In this case the triangle's normal points out. If the side begins at the lesser vertex, the normal points in
-    // the direction of the turn, so the sector after the triangle is outside.
+    // Returns true if the sector just after the side's triangle is inside, provided that the triangle's corners turn
+    // left seen from outside, so that its normal points out. A turn around the edge, seen from the lesser vertex to the
+    // greater one, passes the sectors. If the side begins at the lesser vertex, the normal points in the direction of
+    // the turn, so the sector after the triangle is outside.
     bool inside_after(const SideRef& side) const {
         const auto corners = corners_from(triangles(), side);
         return corners[0] > corners[1];
     }
 
-    // Adds the other triangles of an edge to the shell. Around the edge the sectors alternate between outside and
-    // inside; this determines for each triangle whether it faces in.
+    // Adds the other triangles of an edge to the shell. Around the edge the sectors are outside and inside in turn;
+    // this determines for each triangle whether it faces in.
     void cross_edge(const SideRef& from) {
         const auto sides = edges_.sides(edges_.edge_of(from));
         const bool wanted = inside_after(from) != (shells_.faces_in[from.triangle] != 0);

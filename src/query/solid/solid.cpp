@@ -14,12 +14,12 @@
 namespace ecods {
 namespace {
 
-// Returns a pointer to a mesh that it does not own.
+// Returns a pointer that does not own the mesh.
 std::shared_ptr<const Mesh> borrowed(const Mesh& mesh) {
     return {std::shared_ptr<const void>(), &mesh};
 }
 
-// Holds the results of the check that a mesh bounds a solid.
+// Checked holds the results of the check that a mesh bounds a solid.
 struct Checked {
     ProperMesh proper;
     MeshEdges edges;
@@ -42,7 +42,7 @@ Checked check(const MeshShape& shape, ProperMesh proper) {
     return result;
 }
 
-// Leaves out the triangles of zero area.
+// Returns the solid's boundary, without the triangles of zero area.
 SolidBoundary find_boundary(const Solid& solid) {
     const std::vector<std::uint8_t>& has_area = SolidAccess::parts(solid).has_area;
     SolidBoundary result;

@@ -66,10 +66,10 @@ struct SolidMemory final : QueryMemoryPart {
     std::array<std::vector<std::uint8_t>, 2> met;  // by solid and shell: not 0 if the shell has a segment of contact
     PairSet fans;
     std::vector<Wing> wings;
-    // The following members are used for a surface against a solid.
+    // The following members are used for a surface and a solid.
     std::vector<std::uint8_t> contacts;  // by triangle: a SurfaceSearch::Contact
     std::vector<std::uint32_t> parents;  // by vertex: union-find parent
-    std::vector<std::uint8_t> placed;    // by vertex, if it is a union-find root: not 0 if its piece's side is known
+    std::vector<std::uint8_t> placed;    // by vertex that is a union-find root: not 0 if its piece's side is known
 
     static SolidMemory& of(QueryMemory& memory) {
         return QueryMemoryAccess::part<SolidMemory>(memory, &QueryMemoryAccess::State::solid);

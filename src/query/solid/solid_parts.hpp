@@ -16,7 +16,7 @@
 
 namespace ecods {
 
-// The triangles of positive area of a solid's mesh.
+// SolidBoundary holds the triangles of positive area of a solid's mesh.
 struct SolidBoundary {
     std::unique_ptr<const MeshShape> shape;  // null if all triangles have area
     std::vector<std::uint32_t> names;        // by triangle of `shape`: the triangle of the solid's mesh
@@ -26,19 +26,20 @@ struct Solid::Parts {
     // The triangles that bound the solid. They have the indices of the solid's mesh unless edges were split.
     ProperMesh proper;
     MeshEdges edges;
-    // By triangle of proper.mesh: the triangle of the solid's mesh that it is a piece of. Empty if no edges were split.
+    // By triangle of proper.mesh: the triangle of the solid's mesh that contains it as a piece. Empty if no edges were
+    // split.
     std::vector<TriangleOrigin> origins;
-    // The shape of proper.mesh if edges were split. Otherwise null, because the solid's own tree is the tree of
+    // The shape of proper.mesh if edges were split; otherwise null, because the solid's own tree is the tree of
     // proper.mesh.
     std::unique_ptr<const MeshShape> split_shape;
     // The result of prove_star(), from which the shells are made; empty if prove_star() proved nothing.
     std::vector<std::uint8_t> star_faces_in;
     Lazy<Shells> shells;
-    // By triangle of the solid's mesh: true if it is a part of the boundary, as triangles of positive area are. Empty
-    // if all are.
+    // By triangle of the solid's mesh: true if the triangle is a part of the boundary, because its area is positive.
+    // Empty if all triangles are.
     std::vector<std::uint8_t> has_area;
-    // The set if the solid is a flat one, which has no interior; otherwise null. Of the members above, a flat solid has
-    // `proper` and `has_area` alone. All triangles of a segment or a point are parts of its boundary.
+    // The set if the solid is a flat one, which has no interior; otherwise null. If it is set, only `proper` and
+    // `has_area` of the members above are set. All triangles of a segment or a point are parts of its boundary.
     std::unique_ptr<const FlatMesh> flat;
     Lazy<std::shared_ptr<const MeshShape>> surface;
     Lazy<SolidBoundary> boundary;
@@ -55,7 +56,7 @@ struct SolidAccess {
     static const SolidBoundary& boundary(const Solid& solid);                    // made on first use
 };
 
-// True if the shape has inner points: it is a solid, and no flat one.
+// Returns true if the shape has inner points: it is a solid, but not a flat one.
 inline bool has_inside(const MeshShape& shape) noexcept {
     return shape.form() != MeshForm::surface && SolidAccess::parts(static_cast<const Solid&>(shape)).flat == nullptr;
 }

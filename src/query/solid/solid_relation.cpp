@@ -23,8 +23,8 @@ using namespace exact;
 
 namespace {
 
-// Finds which of the regions `in_both`, `in_a_only` and `in_b_only` two posed solids have, and whether their surfaces
-// touch. README.md proves that this suffices for the relation.
+// SolidSearch finds which of the regions `in_both`, `in_a_only` and `in_b_only` two posed solids have, and whether
+// their surfaces touch. README.md proves that this suffices for the relation.
 class SolidSearch {
   public:
     // Both poses must be regular.
@@ -51,7 +51,7 @@ class SolidSearch {
     }
 
   private:
-    // The regions of space without both surfaces, as bits: in both solids, in a only, in b only.
+    // These are the regions of space without both surfaces, as bits: in both solids, in a only, in b only.
     enum : unsigned { in_both = 1, in_a_only = 2, in_b_only = 4, all_regions = 7 };
 
     struct Body {
@@ -64,7 +64,7 @@ class SolidSearch {
             : at(posed), parts(SolidAccess::parts(*posed.what)), shells(SolidAccess::shells(*posed.what)) {}
         std::span<const Triangle> triangles() const { return at.body.mesh->triangles(); }
     };
-    // Names the part of a triangle on which a segment lies: side number `side`, or the face if `side` is
+    // A Part is the part of a triangle on which a segment lies: side number `side`, or the face if `side` is
     // TriangleContact::face.
     struct Part {
         std::size_t solid;
@@ -100,7 +100,7 @@ class SolidSearch {
         if (found.kind == ContactKind::point) return;
         const Part a{0, i, found.first}, b{1, j, found.second};
         if (a.is_face() && b.is_face()) {
-            // Around a segment in which two faces cross there are regions of all kinds.
+            // Around a segment in which two faces cross, all regions occur.
             regions_ = all_regions;
             return;
         }
@@ -132,8 +132,8 @@ class SolidSearch {
         part.is_face() ? add_face_wings(part, line) : add_edge_wings(part, line);
     }
 
-    // Adds a wing for each triangle around an edge. If a triangle's side has the direction of the line, turning around
-    // the line leaves the triangle on the side from which its corners turn left. That is the outer side unless the
+    // Adds a wing for each triangle around an edge. If a triangle's side has the direction of the line, a turn around
+    // the line leaves the triangle on the side from which its corners turn left. That side is the outer side unless the
     // triangle faces in.
     void add_edge_wings(const Part& part, const Line& line) {
         const Body& body = bodies_[part.solid];
@@ -148,8 +148,8 @@ class SolidSearch {
         }
     }
 
-    // Adds a wing for each of the two halves of a face's plane. Its apex is a corner of the face on that side of the
-    // line.
+    // Adds a wing for each of the two halves of a face's plane. The wing's apex is a corner of the face on the same
+    // side of the line.
     void add_face_wings(const Part& part, const Line& line) {
         const Triangle& corners = bodies_[part.solid].triangles()[part.triangle];
         const auto at = [&](std::size_t k) { return VertexRef{part.solid, corners[k]}; };
@@ -166,7 +166,7 @@ class SolidSearch {
         }
     }
 
-    // Adds the region of each sector between wings. Makes one turn around the line, beginning with the first sector.
+    // Adds the region of each sector between wings. Goes once around the line, beginning with the first sector.
     void read_sectors() {
         const std::vector<Wing>& wings = memory_.wings;
         std::array<bool, 2> is_inside{};
@@ -213,8 +213,8 @@ class SolidSearch {
     bool touch_ = false;
 };
 
-// Returns true if a shell of `solid`, posed as `a`, is inside b. Call only if the pose of b is regular and the surfaces
-// share no point. The pose of `a` may be singular.
+// Returns true if a shell of `solid`, posed as `a`, is inside b. Call it only if the pose of b is regular and the
+// surfaces share no point. The pose of `a` may be singular.
 bool has_shell_inside(const Solid& solid, const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory) {
     SolidMemory& own = SolidMemory::of(memory);
     const std::array<BodyRef, 2> bodies{a.body, b.body};
@@ -227,8 +227,8 @@ bool has_shell_inside(const Solid& solid, const SurfaceAt& a, const SurfaceAt& b
 }
 
 // Relates two solids if at least one of the poses is singular. The image of a solid under a singular matrix is the
-// image of its surface. Proof: on a line that is mapped to one point, an inner point is between two points of the
-// surface. So the image has no inner point.
+// image of its surface, so it has no inner point. Proof: on a line that is mapped to one point, an inner point is
+// between two points of the surface.
 Relation flat_relation(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
     ++QueryMemoryAccess::state(memory).counts.queries;
     const SurfaceAt surface_a(a), surface_b(b);

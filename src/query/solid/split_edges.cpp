@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-// Names a side of a triangle, and a vertex inside it at which the side is divided.
+// A Cut is a side of a triangle, and a vertex inside it at which the side is divided.
 struct Cut {
     SideRef side;
     std::uint32_t vertex;
@@ -16,8 +16,8 @@ struct Cut {
     friend constexpr auto operator<=>(const Cut&, const Cut&) = default;
 };
 
-// Holds a piece of a triangle. `sides` names, by side of the piece, the side of the whole triangle that contains it;
-// `inside` has the vertices at which the side must still be divided, in the order of the side.
+// A Part is a piece of a triangle. `sides` names, by side of the piece, the side of the whole triangle that contains
+// it. `inside` has, by side, the vertices at which the side must still be divided, in the order along the side.
 struct Part {
     Triangle corners;
     std::array<std::uint8_t, 3> sides;
@@ -81,8 +81,8 @@ class Splitter {
     }
 
     // Divides a triangle at the vertices inside its sides. Appends the pieces to `result`, and their origins to
-    // `origins`. For one side with such vertices, the triangle is cut from the opposite corner to each of them; the
-    // first and the last piece each have one of the other two sides, which are divided later.
+    // `origins`. For a side with such vertices, the triangle is cut from the opposite corner to each of them. The first
+    // and the last piece each have one of the other two sides, which are divided later.
     static void divide(std::uint32_t triangle, Part whole, std::vector<Triangle>& result,
                        std::vector<TriangleOrigin>& origins) {
         std::vector<Part> open;

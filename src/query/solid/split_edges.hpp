@@ -10,9 +10,9 @@
 
 namespace ecods {
 
-// Names the triangle of which a triangle is a piece.
+// A TriangleOrigin names the triangle that contains a triangle as a piece.
 struct TriangleOrigin {
-    static constexpr std::uint8_t none = 3;  // for a side inside `triangle`
+    static constexpr std::uint8_t none = 3;  // for a side that is inside `triangle`
 
     std::uint32_t triangle;
     std::array<std::uint8_t, 3> sides;  // by side of the piece: side of `triangle` that contains it, or none

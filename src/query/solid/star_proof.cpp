@@ -22,22 +22,23 @@
 // Proof. Let P be the central projection from o onto a sphere around o. As o is off the plane of a triangle, P is one
 // to one on the triangle, and maps its interior to an open set and its sides to arcs of great circles. For x on the
 // sphere but on no arc, let N(x) be the number of triangles whose interiors have x in their image. N is constant where
-// no arc is crossed. Let x be a point of arcs that is the end of no arc and not where arcs of two circles meet: these
-// are all points of the arcs but for finitely many. All arcs through x lie along one circle. By (1) each of them is the
-// side of one triangle on the one side of the circle and of one triangle on the other. Any other triangle with x in its
-// image has x in the image of its interior. So N is the same on both sides of x. Finitely many points do not separate a
-// sphere, so N is constant, and by (2) it is 1.
+// no arc is crossed. Let x be a point of arcs that is neither the end of an arc nor a point where arcs of two circles
+// meet: these are all points of the arcs but for finitely many. All arcs through x lie along one circle. By (1) each of
+// them is the side of one triangle on the one side of the circle and of one triangle on the other. Any other triangle
+// with x in its image has x in the image of its interior. So N is the same on both sides of x. Finitely many points do
+// not separate a sphere, so N is constant, and by (2) it is 1.
 //
 // So the images of the interiors of two triangles are disjoint: their common part would be open, and N would be 2 at a
 // point of it. Let triangles S and T share a segment s. Suppose that P(s) had a point in the image of the interior of
 // S. That image is open, so it would contain points of the image of the interior of T. So s is in the border of S,
-// along a side, and likewise in the border of T. Let s be along sides that are not one edge, and x a point of P(s) of
-// the kind above. The two triangles of S's edge fill both sides of the circle near x, and the image of T's interior
-// fills one of these sides: T is one of the two triangles. But then T has two sides along one line, and no area. QED.
+// along a side, and likewise in the border of T. Let s be along sides that are not one edge, and let x be a point of
+// P(s) of the kind above. The two triangles of S's edge fill both sides of the circle near x, and the image of T's
+// interior fills one of these sides: T is one of the two triangles. But then T has two sides along one line, and no
+// area. QED.
 //
 // The surface is connected over edges: a path on the sphere from one triangle to another can avoid the ends of arcs,
 // and where it crosses an arc it goes to the other triangle of an edge. So the surface is one shell. By N = 1 every
-// half-line from o meets it once. So o is inside, and so is the side of each triangle on which o is.
+// half-line from o meets it once. So o is inside, and for each triangle, the side on which o is, is the inner side.
 //
 // All signs are those of the filter: an uncertain sign proves nothing, and neither the choice of o nor its rounding can
 // make the answer wrong. A point o near the middle only makes success likely for a convex body.
@@ -66,7 +67,8 @@ class StarProof {
         return std::ranges::any_of(std::array{0, 1, 2}, [&](int axis) { return is_met_once(axis); });
     }
 
-    // Returns by triangle: true if its corners turn right, seen from outside. Call only after find() has returned true.
+    // Returns by triangle: true if its corners turn right, seen from outside. Call it only after find() has returned
+    // true.
     std::vector<std::uint8_t> take_sides() noexcept { return std::move(is_above_); }
 
   private:
@@ -78,10 +80,10 @@ class StarProof {
         }
     }
 
-    // Sets the origin to a weighted mean of all corners. The weights have no pattern: from the exact middle of a box,
-    // the half-lines along the axes would meet the diagonals of its faces. The error bounds hold for points in the box
-    // around the corners, so the mean is clamped to this box, in case rounding moved it out. Returns false if the
-    // bounds are infinite.
+    // Sets the origin to a weighted mean of all corners. The weights have no pattern, because from the exact middle of
+    // a box the half-lines along the axes would meet the diagonals of its faces. The error bounds hold for points in
+    // the box around the corners, so the mean is clamped to this box, in case rounding moved it out. Returns false if
+    // the bounds are infinite.
     bool choose_origin() {
         Point min, max, sum{};
         min.fill(std::numeric_limits<double>::infinity());
@@ -122,9 +124,9 @@ class StarProof {
         return true;
     }
 
-    // Returns true if an edge with these sides fulfils condition (1). The sign of orient3d(lesser vertex, greater
-    // vertex, third corner, origin) is the sign of orient3d(triangle's corners, origin) if the side begins at its
-    // lesser vertex; otherwise it is the opposite sign.
+    // Returns true if an edge with these sides fulfils condition (1). Consider the sign of orient3d(lesser vertex,
+    // greater vertex, third corner, origin). If the side begins at its lesser vertex, it is the sign of
+    // orient3d(triangle's corners, origin); otherwise it is the opposite sign.
     bool is_seen_between(std::span<const SideRef> sides) const {
         if (sides.size() != 2) return false;
         const auto is_third_above = [&](const SideRef& side) {
@@ -147,8 +149,8 @@ class StarProof {
     }
 
     // Returns whether the half-line along the axis meets the interior of triangle i. Projected along the axis, the
-    // corners turn as the sign of the normal's component n says. If the line meets the interior at o + t e, then t n is
-    // minus the height of o above the plane. So t > 0 if n and the height have different signs.
+    // corners turn left or right by the sign of the normal's component n. If the line meets the interior at o + t e,
+    // then t n is minus the height of o above the plane. So t > 0 if n and the height have different signs.
     Hit hit_of(std::size_t i, int axis) const {
         const auto t = corners(i);
         for (const int k : {(axis + 1) % 3, (axis + 2) % 3}) {

@@ -23,8 +23,8 @@ using namespace exact;
 
 namespace {
 
-// Finds on which sides of a posed solid's boundary a surface has points. README.md proves that the places which it
-// examines suffice.
+// SurfaceSearch finds on which sides of a posed solid's boundary a surface has points. README.md proves that the places
+// which it examines suffice.
 class SurfaceSearch {
   public:
     // The pose of the solid must be regular, and the axes in the memory must be bound to both trees.
@@ -54,11 +54,12 @@ class SurfaceSearch {
     }
 
   private:
-    // Says what a triangle of the surface shares with the solid's boundary: nothing; only isolated points; or more. In
-    // the last case the sides beside the shared set are noted already.
+    // A Contact says what a triangle of the surface shares with the solid's boundary: nothing; only isolated points; or
+    // more. In the last case, the sides beside the shared set have been noted.
     enum Contact : std::uint8_t { none, at_points, looked_at };
 
-    // Returns true at the first call for triangle i and this vertex or edge of the solid: they are examined once.
+    // Returns true at the first call for triangle i and this vertex or edge of the solid, so that each pair is examined
+    // once.
     bool is_new(std::uint32_t i, std::uint64_t vertex_or_edge) { return memory_.fans.insert(i, vertex_or_edge); }
     void note(Side side) noexcept {
         has_inner_ |= side == Side::inside;
@@ -88,9 +89,9 @@ class SurfaceSearch {
         }
     }
 
-    // Marks what coplanar triangles i and j share, and notes no side. If a region of triangle i ends at coplanar
-    // triangles of the solid, it also ends at triangles of the solid that are not coplanar. Their pairs note the side
-    // of the region.
+    // Marks the set that coplanar triangles i and j share, and notes no side. If a region of triangle i ends at
+    // coplanar triangles of the solid, it also ends at triangles of the solid that are not coplanar; the pairs of
+    // triangle i with these note the side of the region.
     void take_coplanar(std::uint32_t i, std::uint32_t j) {
         enum class Shared { nothing, points, face, no_area };
         const Shared shared = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)), [](auto& signs) {
@@ -122,9 +123,9 @@ class SurfaceSearch {
         note((side > 0) == faces_in ? Side::inside : Side::outside);
     }
 
-    // Records if triangle i has points inside or outside the solid beside `edge`, with which it shares a segment.
-    // `side` is the triangle's side along the edge; or TriangleContact::face if the edge passes through the triangle's
-    // interior: then both halves of the triangle are recorded.
+    // Notes on which sides of the solid triangle i has points beside `edge`, with which it shares a segment. `side` is
+    // the triangle's side along the edge; or TriangleContact::face if the edge passes through the triangle's interior,
+    // and then both halves of the triangle are noted.
     void look_beside_edge(std::uint32_t i, int side, const SideRef& edge) {
         const MeshEdges& edges = SolidAccess::parts(solid_).edges;
         if (!is_new(i, 2 * std::uint64_t{edges.edge_of(edge)})) return;
@@ -145,15 +146,15 @@ class SurfaceSearch {
         }
     }
 
-    // Takes triangle i if it is a segment or a point. The boundary divides a segment into pieces; a piece begins at the
-    // segment's first end, at an edge that the segment crosses, or at a vertex. Notes the side of each piece.
+    // Processes triangle i if it is a segment or a point. The boundary divides a segment into pieces; a piece begins at
+    // the segment's first end, at an edge that the segment crosses, or at a vertex. Notes the side of each piece.
     void take_flat(std::uint32_t i, std::uint32_t j) {
         const FlatContact found = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)),
                                              [](auto& signs) { return flat_contact(signs); });
         if (!found.meets) return;
         const bool is_first = memory_.contacts[i] != looked_at;
         mark(i, looked_at);
-        if (found.from == found.to) return;  // a point on the boundary
+        if (found.from == found.to) return;  // the triangle is a point, on the boundary
         if (found.crosses) {
             has_inner_ = has_outer_ = true;
             return;
@@ -171,8 +172,8 @@ class SurfaceSearch {
         }
     }
 
-    // Notes the sides of triangles that share no segment with the boundary. Triangles that share no point with it and
-    // are joined over corners form a piece, which is on one side of the boundary: one ray decides for each piece.
+    // Notes the sides of triangles that share no segment with the boundary. Triangles that share no point with it, and
+    // are connected over corners, form a piece, which is on one side of the boundary: one ray decides for each piece.
     void place_triangles() {
         const auto all = surface_.body.mesh->triangles();
         VertexPieces pieces(*surface_.body.mesh, memory_.parents);

@@ -30,7 +30,8 @@ bool are_boxes_apart(const SurfaceAt& a, const SurfaceAt& b, QueryMemoryAccess::
 // pose.
 exact::Frame& bind(exact::Frame& frame, const SurfaceAt& a, const SurfaceAt& b);
 
-// Returns true if triangles that count share a point, under any poses. The poses must outlive the call.
+// Returns true if a triangle of a and a triangle of b that both count share a point, under any poses. The poses must
+// outlive the call.
 bool surfaces_meet(const SurfaceAt& a, const SurfaceAt& b, QueryMemory& memory);
 
 }  // namespace ecods
