@@ -1,5 +1,5 @@
-// Answers the questions of cast.hpp. Bodies of which a part is inside the other at the start meet at time 0; all others
-// meet first where their boundaries do.
+// Answers the questions of cast.hpp. If a part of one body is inside the other at the start, the bodies meet at time 0;
+// all other bodies meet first where their boundaries do.
 #include "ecods/cast.hpp"
 
 #include "base/limits.hpp"
@@ -13,7 +13,7 @@
 namespace ecods {
 namespace {
 
-// `find(a, b)` casts the boundaries.
+// Returns the first contact of two bodies. `find(a, b)` must cast the boundaries.
 template <class Function>
 std::optional<FirstContact> cast_boundaries(const BodyPairAsked& bodies, QueryMemory& memory, const Function& find) {
     return as_one_query(memory, [&]() -> std::optional<FirstContact> {

@@ -15,7 +15,7 @@
 namespace ecods {
 namespace {
 
-// True if the vertex is certainly outside the box.
+// Returns true if the vertex is certainly outside the box.
 bool is_outside(const Aabb& box, const RoundedVertex& vertex) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
         const double x = vertex.point[static_cast<std::size_t>(axis)];
@@ -26,8 +26,8 @@ bool is_outside(const Aabb& box, const RoundedVertex& vertex) noexcept {
 
 enum class Wanted : std::uint8_t { any, least };
 
-// Returns the least triangle of a piece of the boundary of `part` of which a vertex is in `whole`, which has an inside:
-// of any such piece, or of the one whose triangle is the least.
+// Looks for pieces of the boundary of `part` that have a vertex in `whole`, which must have an inside. Returns the
+// least triangle of such a piece: of the first one found if `wanted` is any, otherwise the least of all pieces.
 std::optional<std::uint32_t> find_piece(const PosedBody& part, const PosedBody& whole, Wanted wanted,
                                         QueryMemory& memory) {
     const Pose& pose = part.boundary().pose;

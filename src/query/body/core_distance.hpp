@@ -1,5 +1,5 @@
-// The questions of distance.hpp about two bodies with radii around them: a body is then a core, and all points within a
-// radius of it. With radii 0, the bodies are the cores.
+// Declares the questions of distance.hpp about two bodies with radii around them. Such a body is the set of all points
+// within a radius of its core; with radius 0, it is the core.
 #pragma once
 
 #include "ecods/ask.hpp"
@@ -13,10 +13,10 @@ namespace ecods::cores {
 
 using Core = Posed<MeshShape>;
 
-// True if the real distance of the cores is within the limit.
+// Returns true if the real distance of the cores is within the limit.
 bool within(const Core& a, const Core& b, const exact::Limit& limit, const Ask& ask);
 
-// Returns the distance of the cores less the margin, rounded once; 0 if the margin is at least the distance.
+// Returns the distance of the cores minus the margin, rounded once; 0 if the margin is at least the distance.
 double distance(const Core& a, const Core& b, const exact::ExactSum& margin, const Ask& ask);
 
 // Returns the distance and the closest points of the rounded bodies, and the features of the cores.

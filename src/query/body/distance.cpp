@@ -1,4 +1,4 @@
-// Answers the questions of distance.hpp. Questions about solids are first asked about their boundaries; two convex
+// Answers the questions of distance.hpp. Questions about solids are first asked about their boundaries. Two convex
 // solids have a search of their own, whose features are those of the sets.
 #include "ecods/distance.hpp"
 
@@ -17,14 +17,14 @@
 namespace ecods {
 namespace {
 
-// Rounds the point R v + t once. A body that is this point alone is closest to itself there.
+// Rounds the point R v + t once: the point is the closest point, to itself, of a body that is this point alone.
 Vec3 round_point(const Vec3& v, const Pose& pose, QueryMemory& memory) {
     const MeshShape point(Mesh::create({v}, {Triangle{0, 0, 0}}));
     const Posed<MeshShape> body(point, pose);
     return as_part(memory, [&] { return surface::closest(body, body, memory); }).point_a;
 }
 
-// The closest points of bodies of which a part is inside the other one: twice the same point of that part.
+// Returns the closest points if a part of one body is inside the other one: both are the same point of that part.
 std::optional<ClosestPoints> closest_of_contained(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                                   const BodyPairAsked& bodies, QueryMemory& memory) {
     const std::optional<ContainedFeatures> features = find_contained(bodies, memory);
@@ -64,7 +64,7 @@ double cores::distance(const Core& a, const Core& b, const exact::ExactSum& marg
     });
 }
 
-// Compares keys, in whose order NaN lies beyond the infinities.
+// Compares keys, because a NaN has no place in the order of doubles; in the order of keys it is beyond the infinities.
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
     require_distance(max_distance);
     if (key_of(max_distance) == infinity_key) return true;

@@ -1,4 +1,4 @@
-// Searches for the first time at which a moving body is near another one, by halving times.
+// Searches for the first time at which a moving body is near another one, by bisecting times.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ using PairList = std::vector<TrianglePair>;
 // Lists pairs for parts of the time from 0 to `last`, earlier parts first, until take(pairs, to) returns true.
 //
 // list(from, to, most) must return all pairs that may be near at some time from `from` to `to`, and a little later;
-// nullopt if there are more than `most`. The part is then cut in two. Twice as many pairs are allowed in each half:
-// where a body slides along another one, or faces meet face on, as many are near at every time, and the parts do not
-// become more than these pairs.
+// nullopt if there are more than `most`. In that case, the part is cut in two, and twice as many pairs are allowed in
+// each half. So the number of parts stays bounded by the number of pairs, also where many pairs are near at every time:
+// where a body slides along another one, or faces meet face on.
 template <class List, class Take>
 void search_earliest(double last, const List& list, const Take& take) {
     constexpr std::size_t most = 24, cuts_max = 40;

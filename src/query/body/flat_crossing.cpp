@@ -1,17 +1,17 @@
-// The relative interiors of two convex sets that are in no common plane can share a point only if one is a polygon that
-// the other has points on both sides of.
+// Decides whether the relative interiors of two convex sets that are in no common plane share a point. This is possible
+// only if one set is a polygon, and the other set has points on both sides of the polygon's plane.
 //
 // A segment with ends strictly on both sides of a polygon's plane passes through its interior if and only if its line
 // has all edges of the polygon on one side: signs of orient3d.
 //
-// Two polygons A and B, of which each has points on both sides of the other one's plane, meet the line of both planes
-// in segments of positive length, from a0 to a1 and from b0 to b1. Their interiors share a point if and only if a0 < b1
-// and b0 < a1. Let n and m be the normals around which A and B go counterclockwise, and n x m the direction of the
-// line. An edge of A, directed towards positive heights over B, and one of B, directed towards positive heights over A,
-// meet the line at points x and y. Then orient3d of the ends of both has the sign of y - x: moving the ends of an edge
-// along its line keeps the sign, so it is that of det(e, y - x, f) for the directions e and f, and det(e, n x m, f) >
-// 0. The border of A rises over B where the line enters A, as the inside of A is on the left of the border; B's rises
-// over A where the line leaves B.
+// Let A and B be two polygons, each with points on both sides of the other one's plane. They meet the line of both
+// planes in segments of positive length, from a0 to a1 and from b0 to b1. Their interiors share a point if and only if
+// a0 < b1 and b0 < a1. Let n and m be the normals around which A and B go counterclockwise, and n x m the direction of
+// the line. An edge of A, directed towards positive heights over B, and one of B, directed towards positive heights
+// over A, meet the line at points x and y. Then orient3d of the ends of both has the sign of y - x: moving the ends of
+// an edge along its line keeps the sign, so it is that of det(e, y - x, f) for the directions e and f, and det(e, n x
+// m, f) > 0. The border of A rises over B where the line enters A, as the inside of A is on the left of the border; B's
+// border rises over A where the line leaves B.
 #include "query/body/flat_crossing.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 namespace ecods {
 namespace {
 
-// The corners of a polygon, one after the other, or points on one line.
+// A FlatSet holds the corners of a polygon in cyclic order, or points on one line.
 struct FlatSet {
     std::vector<PosedPoint> corners;
     bool is_polygon = false;
@@ -58,7 +58,7 @@ FlatSet set_of_triangle(const Posed<MeshShape>& surface, std::uint32_t triangle)
     return set;
 }
 
-// The heights of a set's corners over the plane of a polygon, as signs.
+// Heights are the heights of a set's corners over the plane of a polygon, as signs.
 struct Heights {
     Heights(const FlatSet& set, const FlatSet& polygon) {
         const auto& c = polygon.corners;
@@ -87,7 +87,8 @@ bool passes_through(const FlatSet& line, const FlatSet& polygon) {
     return true;
 }
 
-// The two edges of a polygon that begin below a plane, or in it, and end above it.
+// Edges are the two edges of a polygon that cross a plane: one end is above the plane, and the other one is below or in
+// it.
 struct Edges {
     Edges(const FlatSet& polygon, const Heights& heights) {
         const auto& c = polygon.corners;
@@ -100,7 +101,7 @@ struct Edges {
     }
 
     using Edge = std::array<const PosedPoint*, 2>;
-    Edge rising{}, falling{};  // as the border goes; each from its lower end
+    Edge rising{}, falling{};  // named by the direction of the border; stored from the lower end
 };
 
 Sign order(const Edges::Edge& a, const Edges::Edge& b) {

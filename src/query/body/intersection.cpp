@@ -12,9 +12,9 @@
 
 namespace ecods {
 
-// Most pairs of solids are parted by an axis, or cross where they did before; the boundaries' question, which tries
-// that first, is asked before anything else is found out about the solids. An axis that parts the boundaries parts the
-// bodies. Two convex solids have no way of their own: measured, a search for the distance takes longer.
+// Asks about the boundaries first. This tries an axis, or the triangles that met before, which decide most pairs of
+// solids; only then more is computed about the solids. An axis that separates the boundaries separates the bodies. Two
+// convex solids have no search of their own here: measured, a search for the distance takes longer.
 bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     if (are_surfaces(*a.what, *b.what)) return surface::intersects(a, b, ask);
     Asking asking(ask);
@@ -25,7 +25,8 @@ bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask&
 
 namespace {
 
-// A flat set crosses another body where its triangles only touch: the other one passes through a line between them.
+// Returns the relation of two bodies without insides. A flat set may cross another body although the two sets'
+// triangles only touch, if the other body passes through a line between triangles.
 Relation flat_relation(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     Asking asking(ask);
     const Relation of_triangles =

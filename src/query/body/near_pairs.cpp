@@ -64,7 +64,7 @@ std::optional<PairList> NearWay::list(double from, double to, std::size_t most) 
     pose.t += middle * motion_;
     const Place place{pose.t, 8 * two_u * (sum_of(a_.pose.t) + middle * sum_of(motion_)) + underflow};
     if (!is_known(place)) return all_pairs(a_, b_);
-    // Within `half` of the middle, the body is no further than this from its place.
+    // At times within `half` of the middle, the body is at most this far from its place at the middle.
     const double reach = half * (1 + 8 * two_u) * sum_of(motion_);
     return list_within({*a_.what, pose}, b_, p_.upper() + (reach + place.error), most, memory_);
 }

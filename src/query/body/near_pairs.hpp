@@ -4,8 +4,8 @@
 // of the magnitudes of all terms of a position's coordinates, added over the axes. With u' = two_u, each term goes
 // through three roundings, and a parameter may be off by 4 u' of itself, so a position is off by less than 7.1 u' S. S
 // as computed has seven roundings, and 8 u' S covers them. A distance is a sum of three such numbers, and a reach a
-// product with five roundings: 8 u' of them covers these. Numbers that underflow lose less than 2^-1000 in all; times
-// that may be taken for zero count as 2^-900. If a number overflows, all pairs are listed.
+// product with five roundings: 8 u' times each covers these. Numbers that underflow lose less than 2^-1000 in all;
+// times that may be flushed to zero count as 2^-900. If a number overflows, all pairs are listed.
 // Claim: verify/proofs/root_sums.py
 #pragma once
 
@@ -21,15 +21,15 @@
 
 namespace ecods {
 
-// A position in doubles, and an upper bound of its distance from the real one.
+// A Place is a position in doubles, and an upper bound of its distance from the real one.
 struct Place {
     Vec3 point;
     double error;
 };
-// Returns the position at parameter s of the line, or at one that is off by 4 u' s.
+// Returns the position at parameter s of the line, also if s is off by up to 4 u' s.
 Place place_on(const Line& line, double s);
 
-// The points of a line and the triangles of a boundary: pair.a is 0.
+// NearLine lists pairs of the points of a line and the triangles of a boundary: pair.a is 0.
 class NearLine {
   public:
     // Everything that the arguments refer to must outlive this object.
@@ -45,7 +45,7 @@ class NearLine {
     QueryMemory& memory_;
 };
 
-// The triangles of a boundary that is translated, and of another one.
+// NearWay lists pairs of triangles of a boundary that is translated, and of another boundary.
 class NearWay {
   public:
     NearWay(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, const exact::ExactSum& p,

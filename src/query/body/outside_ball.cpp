@@ -35,7 +35,7 @@ bool OutsideBall::contains(const RoundedVertex& vertex) noexcept {
     return is_inside;
 }
 
-// The ball is around the rounded vertex. It holds the vertex itself, which is outside, so all of it is.
+// The ball is around the rounded vertex. It contains the vertex itself, which is outside, so the whole ball is outside.
 void OutsideBall::find_around(const RoundedVertex& vertex) {
     if (ball_count_ > held_count_ + spare_count) return;
     ++ball_count_;

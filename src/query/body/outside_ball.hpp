@@ -1,4 +1,4 @@
-// Finds balls outside a solid, in which no ray need be cast.
+// Finds balls outside a solid. Vertices in such a ball need no ray.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// A point R v + t in doubles, and an upper bound of the error of each coordinate.
+// A RoundedVertex is a point R v + t in doubles, and an upper bound of the error of each coordinate.
 struct RoundedVertex {
     RoundedVertex(const Pose& pose, const Vec3& v) noexcept
         : point(exact::pose_point(pose.R, v, pose.t)), error(exact::point_error_bound(pose.R, v.cwiseAbs(), pose.t)) {}
@@ -18,18 +18,18 @@ struct RoundedVertex {
     double error;
 };
 
-// A ball around a vertex that is outside a solid, which shares no point with the solid's boundary: all of it is
-// outside. Of a cloud of many pieces, most vertices are in the ball around an earlier one.
+// An OutsideBall is a ball around a vertex that is outside a solid. It shares no point with the solid's boundary, so
+// all of it is outside. In a cloud of many pieces, most vertices are in the ball around an earlier one.
 class OutsideBall {
   public:
     // `boundary` must outlive this object.
     OutsideBall(const Posed<MeshShape>& boundary, QueryMemory& memory) : boundary_(boundary), memory_(memory) {}
 
-    // True if the vertex is certainly in the ball.
+    // Returns true if the vertex is certainly in the ball.
     bool contains(const RoundedVertex& vertex) noexcept;
 
-    // Finds a ball around a vertex that is outside. Finds none if balls have held fewer vertices than they are many, by
-    // `spare_count`: a ball takes longer than a ray.
+    // Finds a ball around a vertex that is outside. Does nothing if the number of balls so far exceeds the number of
+    // vertices found in them by more than `spare_count`, because a ball takes longer than a ray.
     void find_around(const RoundedVertex& vertex);
 
   private:

@@ -1,6 +1,6 @@
-// Answers the questions of distance.hpp and solid.hpp about points. On which side of a solid's surface a point is
-// follows from the feature that contains the closest point, if it is a face or an edge and certainly the only one: the
-// segment to it meets the surface nowhere else. Otherwise a ray decides.
+// Answers the questions of distance.hpp and solid.hpp about points. If the feature that contains the closest point is a
+// face or an edge, and certainly the only one, it shows on which side of a solid's surface the point is: the segment to
+// the closest point meets the surface nowhere else. Otherwise a ray decides.
 #include <optional>
 #include <vector>
 
@@ -28,7 +28,7 @@ void require_all_valid(std::span<const Vec3> points) {
     }
 }
 
-// The sides of a posed solid's surface, by the features of its mesh.
+// SolidSides finds sides of a posed solid's surface from features of its mesh.
 class SolidSides {
   public:
     explicit SolidSides(const PosedBody& body) : body_(body) {
@@ -53,7 +53,7 @@ class SolidSides {
     }
 
   private:
-    // True if the triangles of the boundary are those of the proper mesh: no edges were split.
+    // Returns true if the triangles of the boundary are those of the proper mesh, because no edges were split.
     bool can_name() const noexcept { return SolidAccess::parts(*solid_).origins.empty(); }
     bool faces_in(std::uint32_t triangle) const { return SolidAccess::shells(*solid_).faces_in[triangle] != 0; }
 
@@ -63,8 +63,8 @@ class SolidSides {
     }
 
     // Returns the side if the edge has two faces that are not in one plane. A point whose closest point is inside the
-    // edge sees both faces at right angles or more: it is outside if the edge is convex, inside if it is not. An affine
-    // bijection keeps an edge convex, so the mesh's own coordinates decide.
+    // edge is at a right angle or more to both faces: it is outside if the edge is convex, inside if it is not. An
+    // affine bijection keeps an edge convex, so the mesh's own coordinates decide.
     std::optional<Side> of_edge(const Feature& edge) const {
         const SolidAccess::Parts& parts = SolidAccess::parts(*solid_);
         const auto triangles = parts.proper.mesh->triangles();
@@ -84,7 +84,7 @@ class SolidSides {
     bool is_mirror_ = false;
 };
 
-// Asks about points, one after the other.
+// AskedPoints answers questions about several points and one body.
 class AskedPoints {
   public:
     AskedPoints(const Posed<MeshShape>& body, QueryMemory& memory)
@@ -119,7 +119,7 @@ class AskedPoints {
     QueryMemory& memory_;
 };
 
-// Returns ask_one(point, memory) for each of them.
+// Returns ask_one(point, memory) for each point.
 template <class Answer, class AskOne>
 std::vector<Answer> for_each_point(std::span<const Vec3> points, const Ask& ask, AskOne&& ask_one) {
     require_all_valid(points);

@@ -1,4 +1,4 @@
-// The set of points that a posed mesh is, as the questions about two bodies see it.
+// Defines the set of points that a posed mesh stands for, in the form that questions about two bodies need.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace ecods {
 
-// True if both bodies are surfaces: questions about them need not know of solids.
+// Returns true if both bodies are surfaces, so that a question about them needs no code for solids.
 inline bool are_surfaces(const MeshShape& a, const MeshShape& b) noexcept {
     return a.form() == MeshForm::surface && b.form() == MeshForm::surface;
 }
 
-// The triangles on which the set ends: all of a surface, those of positive area of a solid. `names` are those of the
-// mesh, by triangle; empty if they are the same.
+// A NamedBoundary holds the triangles that bound the set: all triangles of a surface, those of positive area of a
+// solid. `names` has, by triangle of `shape`, the triangle of the mesh; it is empty if both have the same triangles.
 struct NamedBoundary {
     const MeshShape& shape;
     std::span<const std::uint32_t> names;
@@ -26,25 +26,26 @@ inline Posed<MeshShape> boundary_of(const Posed<MeshShape>& posed) {
     return {boundary_of(*posed.what).shape, posed.pose};
 }
 
-// A posed shape as a set of points: a surface or a solid. The shape passed to the constructor must outlive it.
+// A PosedBody is a posed shape as a set of points: a surface or a solid. The shape passed to the constructor must
+// outlive it.
 class PosedBody {
   public:
-    // A solid may be taken for its surface, with all triangles of its mesh.
+    // With Meaning::surface, a solid counts as its surface, with all triangles of its mesh.
     enum class Meaning : std::uint8_t { set, surface };
     explicit PosedBody(const Posed<MeshShape>& posed, Meaning meaning = Meaning::set);
 
     const Posed<MeshShape>& boundary() const noexcept { return boundary_; }
 
-    // True if the set has inner points. A flat solid has none. The image of a solid under a singular matrix has none:
-    // it is the image of its surface, since on a line that is mapped to one point, an inner point is between two points
-    // of the surface.
+    // Returns true if the set has inner points. A flat solid has none, and neither has a solid under a singular matrix.
+    // The image of such a solid is the image of its surface, since on a line that is mapped to one point, an inner
+    // point is between two points of the surface.
     bool has_inside() const noexcept { return solid_ != nullptr; }
-    // True for a convex solid, a flat one too, at a regular pose.
+    // Returns true for a convex solid at a regular pose, also for a flat one.
     bool is_convex() const noexcept { return convex_ != nullptr; }
     Posed<Solid> solid() const { return {*solid_, boundary_.pose}; }          // requires has_inside()
     Posed<ConvexSolid> convex() const { return {*convex_, boundary_.pose}; }  // requires is_convex()
 
-    // Renames a triangle of the boundary to that of the body's mesh. Keeps the order of triangles.
+    // Replaces a triangle of the boundary by the same triangle of the body's mesh. Keeps the order of triangles.
     void rename(std::uint32_t& triangle) const noexcept {
         if (!names_.empty()) triangle = names_[triangle];
     }
@@ -56,10 +57,10 @@ class PosedBody {
     Posed<MeshShape> boundary_;
     std::span<const std::uint32_t> names_;  // by triangle of the boundary; empty if it has the mesh's triangles
     const Solid* solid_ = nullptr;          // null if the set has no inner points
-    const ConvexSolid* convex_ = nullptr;   // null if the set is not is_convex()
+    const ConvexSolid* convex_ = nullptr;   // null unless the set is_convex()
 };
 
-// Two bodies of a question.
+// A BodyPairAsked holds the two bodies of a question.
 struct BodyPairAsked {
     BodyPairAsked(const Posed<MeshShape>& first, const Posed<MeshShape>& second) : a(first), b(second) {}
 

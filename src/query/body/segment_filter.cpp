@@ -3,17 +3,18 @@
 //
 // Upper bound. For any s and t in [0, 1], the distance of the points p0 + s (p1 - p0) and q0 + t (q1 - q0) is an upper
 // bound. A coordinate of one of these points is computed with a difference below 2 M, a product and a sum, so it is off
-// by at most u' (2 M + 2 M + 3 M) (1 + u')^2 < 8 u' M; the difference z of the two has one more rounding, of at
-// most 2.1 M, and both true ends are off by delta: E = 2 delta + 20 u' M bounds the error of a coordinate of z, and
-// sqrt(3) E that of |z|. |z| is computed with a relative error of less than 4 u'.
+// by at most u' (2 M + 2 M + 3 M) (1 + u')^2 < 8 u' M; the difference z of the two has one more rounding, of at most
+// 2.1 M, and both true ends are off by delta: E = 2 delta + 20 u' M bounds the error of a coordinate of z, and sqrt(3)
+// E that of |z|. |z| is computed with a relative error of less than 4 u'.
 //
 // Lower bound. For any vector n, here z, the distance is at least (min n.q - max n.p) / |n| (weak duality). A product
 // n.q as computed is off by at most ((1 + u')^3 - 1) M |n|_1 and delta |n|_1, the difference of two products by 2.1 u'
 // M |n|_1 more: E |n|_1 covers both products and the difference. Factors of 1 +- 8 u' cover the roundings of |n|_1, |n|
 // and the quotients.
 //
-// The sum of three numbers is off by less than 3 u' of itself. Underflow: if M and the sum are at most 2^400, and what
-// is compared is at least 2^-400, numbers below 2^-900 are lost beside others of at least 2^-500.
+// The sum of three numbers is off by less than 3 u' of itself. Underflow: if M and the sum are at most 2^400, and the
+// compared numbers are at least 2^-400, underflow loses numbers below 2^-900, which are added to others of at least
+// 2^-500.
 // Claim: verify/proofs/root_sums.py
 #include "query/body/segment_filter.hpp"
 
@@ -34,7 +35,7 @@ using exact::Point;
 
 constexpr double root_of_3 = 1.7320509, least = 0x1p-400, most = 0x1p400;
 
-// The ends of a segment relative to an origin, rounded, and a bound of their errors.
+// A RoundedSegment holds the ends of a segment relative to an origin, rounded, and a bound of their errors.
 struct RoundedSegment {
     RoundedSegment(const Posed<MeshShape>& body, const Vec3& origin) noexcept {
         const Pose& pose = body.pose;
@@ -63,7 +64,7 @@ Point point_at(const RoundedSegment& segment, double s) noexcept {
     return x;
 }
 
-// Returns the difference of two points of the segments that are about closest.
+// Returns the difference of two points of the segments that are approximately closest to each other.
 Point between(const RoundedSegment& a, const RoundedSegment& b) noexcept {
     const Point u = minus(a.end[1], a.end[0]), v = minus(b.end[1], b.end[0]), w = minus(b.end[0], a.end[0]);
     const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);

@@ -11,7 +11,7 @@ namespace {
 using exact::ScaledInteger;
 using exact::ScaledLongVector;
 
-// An edge of a triangle, seen along the line: d x e, and the side of the edge on which the line is.
+// A SeenEdge is an edge of a triangle, seen along the line: d x e, and the side of the edge on which the line is.
 struct SeenEdge {
     ScaledLongVector across;
     int side = 0;

@@ -1,13 +1,13 @@
 // A ShiftedLine is a line that is moved aside by an infinitesimal distance, so that it meets no edge or vertex.
 //
 // Seen along the line's direction d, a triangle is a polygon. The shifted line crosses the triangle if it is strictly
-// inside the polygon, and does so at a parameter that is infinitely near to that of a point that the line itself shares
-// with the triangle. For a point p of the line, an edge e from the corner c, and the shift u times an infinitesimal,
-// the side of the edge is the sign of
+// inside the polygon. It then crosses at a parameter that is infinitely near to that of a point which the line itself
+// shares with the triangle. For a point p of the line, an edge e from the corner c, and the shift u times an
+// infinitesimal, the side of the edge is the sign of
 //
 //     (d x e) . (p - c),  or if that is 0,  (d x e) . u
 //
-// The first shift u = (1, k, k^2), k = 0, 1, ... is taken for which no such sign is 0 unless d x e is. One exists: a
+// The shift is the first u = (1, k, k^2), k = 0, 1, ..., for which no such sign is 0 unless d x e is 0. One exists: a
 // vector d x e that is not 0 is perpendicular to at most two of them.
 //
 // If d x e is 0, or if the triangle is in a plane with the line, the polygon has no inner points, and the line does not
@@ -34,7 +34,7 @@ class ShiftedLine {
     ShiftedLine(const Line& line, std::span<const ExactHit> hits, const Posed<MeshShape>& body);
 
     const Vec3& shift() const noexcept { return shift_; }
-    // True if the shifted line crosses the triangle of hit `i`.
+    // Returns true if the shifted line crosses the triangle of hit `i`.
     bool crosses(std::size_t i) const noexcept { return crosses_[i] != 0; }
 
   private:

@@ -16,7 +16,7 @@ namespace {
 using exact::ScaledInteger;
 using exact::ScaledLongVector;
 
-// num / den, den > 0.
+// A Time is num / den, with den > 0.
 struct Time {
     ScaledInteger num{0.0}, den{1.0};
 
@@ -36,7 +36,7 @@ struct Extent {
     }
 };
 
-// A segment that is translated by s times the motion, and a triangle, all in one plane with the normal n.
+// An InPlane is a segment that is translated by s times the motion, and a triangle, all in one plane with the normal n.
 struct InPlane {
     std::array<ScaledLongVector, 2> segment;
     std::array<ScaledLongVector, 3> triangle;
@@ -48,7 +48,8 @@ struct InPlane {
         return compare(s.least, t.greatest) < 0 && compare(t.least, s.greatest) < 0;
     }
 
-    // Returns the first of the times from 0 to less than 1 between which no line in the plane separates them.
+    // Times between which no line in the plane separates the two form an interval. Returns its first time from 0 on, if
+    // this is less than 1; otherwise nullopt.
     std::optional<double> first_time() const {
         std::vector<ScaledLongVector> sides{minus(segment[1], segment[0])};
         for (std::size_t i = 0; i < 3; ++i) sides.push_back(minus(triangle[(i + 1) % 3], triangle[i]));
@@ -139,7 +140,7 @@ bool SlidingSolids::reaches_below(const Body& body, const SideRef& edge, const S
         }
         if (outside == 0 || inside == 0) return inside == 0;
     }
-    return false;  // not reached: of half-planes within half a turn, two have the others on one side
+    return false;  // not reached: of half-planes within half a turn, two have all others on one side
 }
 
 std::optional<double> SlidingSolids::time(std::size_t side, std::uint32_t triangle, std::uint32_t corner,

@@ -1,14 +1,16 @@
-// Says when an edge of a translated solid that slides in the plane of a face goes into the other solid.
+// Finds when an edge of a translated solid that slides in the plane of a face enters the other solid.
 //
-// Let n be the outer normal of a face f. Near a point of the edge e, its solid is a union of wedges around e, whose
-// sides are the half-planes of the triangles at e. The wedges reach strictly below f, into the points d with n.d < 0,
-// if one of the half-planes does; or if none does and all points below f belong to a wedge. The half-plane that is
-// nearest to the points below decides that: if it is in the plane of f, the points below are on its inner side, or
-// not; otherwise it has all others on one side, and the points below are on the other one.
+// Let n be the outer normal of a face f. Near a point of the edge e, the edge's solid is a union of wedges around e,
+// whose sides are the half-planes of the triangles at e. The wedges reach strictly below f, into the directions d with
+// n.d < 0, if one of the half-planes does; or if no half-plane does and all directions below f belong to a wedge. The
+// half-plane that is nearest to the directions below f decides the latter. If it is in the plane of f, the directions
+// below are on its inner or its outer side. Otherwise it has all other half-planes on one side, and the directions
+// below are on its other side.
 //
-// If they do, e's solid and f's solid share inner points beside f while the open segment e is in the open triangle f;
-// and if e and f are in one plane which is parallel to the motion, e enters f like a segment enters a triangle of the
-// plane: at the first time of an interval, if their shadows along the motion overlap inside.
+// If the wedges reach below f, e's solid and f's solid share inner points beside f while the open segment e is in the
+// open triangle f. Let e and f be in one plane that is parallel to the motion. Then e enters f like a segment enters a
+// triangle of the plane: at the first time of an interval, provided that their projections along the motion overlap in
+// inner points.
 #pragma once
 
 #include <array>
@@ -21,12 +23,13 @@
 
 namespace ecods {
 
-// Two solids with inner points, of which the first one is translated.
+// SlidingSolids are two solids with inner points, of which the first one is translated.
 class SlidingSolids final : public SlidingEdges {
   public:
     SlidingSolids(const Posed<Solid>& a, const Vec3& motion, const Posed<Solid>& b);
 
-    // Return the mesh whose edges are not split, on which the search runs, and the name of a triangle of it.
+    // Return the mesh, with split edges, on which the search runs, and the name of one of its triangles in the solid's
+    // mesh.
     Posed<MeshShape> mesh(std::size_t side) const;
     std::uint32_t name(std::size_t side, std::uint32_t triangle) const;
 

@@ -1,4 +1,4 @@
-// The hit of a line that begins inside a solid.
+// Makes the hit of a line that begins inside a solid.
 #pragma once
 
 #include "ecods/ask.hpp"
@@ -15,10 +15,10 @@ inline const Vec3& begin_of(const Ray& ray) noexcept {
     return ray.origin;
 }
 
-// True if the point is inside the solid, and not on its surface. Counts as part of another question.
+// Returns true if the point is inside the solid, and not on its surface. Counts as part of another question.
 bool is_inside(const Vec3& point, const PosedBody& body, QueryMemory& memory);
 
-// The hit, at the line's beginning.
+// Returns the hit at the line's beginning.
 Hit hit_inside(const Vec3& begin) noexcept;
 
 }  // namespace ecods
