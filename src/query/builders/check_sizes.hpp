@@ -9,7 +9,8 @@ namespace ecods::builders {
 // Throws InvalidArgument, which names `part`, unless the number is finite and positive.
 void require_size(const std::string& part, double value);
 
-// Does the same, and returns half of the number. Throws InvalidArgument if this is no double.
+// Returns half of the number. Throws InvalidArgument, which names `part`, unless the number is finite and positive and
+// its half is a double.
 double require_half(const std::string& part, double value);
 
 // Throws InvalidArgument, which names `part`, unless the number is in the range.

@@ -19,8 +19,8 @@ using exact::Int128;
 using exact::Integer;
 using exact::LongVector;
 
-// Holds the vertices of a mesh and the radii of a body as integers. Each axis has a unit of its own: to scale an axis
-// changes neither what is inside what, nor by which factor a vertex is outside.
+// IntegerBody holds the vertices of a mesh and the radii of a body as integers. Each axis has a unit of its own:
+// scaling an axis changes neither which points are inside, nor the factor by which a vertex is outside.
 class IntegerBody {
   public:
     IntegerBody(const Mesh& mesh, const CurvedBody& body) {
@@ -29,7 +29,7 @@ class IntegerBody {
         for (const CurvedPart& part : body) parts_.push_back({vector(part.radii), vector({0, 0, part.z})[2]});
     }
 
-    // True if all parts are on the inner side of the triangle's plane.
+    // Returns true if all parts are on the inner side of the triangle's plane.
     bool is_inside(const Triangle& triangle) const {
         const LongVector& a = vertices_[triangle[0]];
         const LongVector n = cross(minus(vertices_[triangle[1]], a), minus(vertices_[triangle[2]], a));
@@ -42,7 +42,7 @@ class IntegerBody {
         });
     }
 
-    // The square of the largest factor by which a vertex is outside of the last part is num / den^2.
+    // Holds num / den^2, the square of the largest factor by which a vertex is outside the last part.
     struct Factor {
         Integer num, den = Int128{1};
     };
@@ -93,8 +93,8 @@ class IntegerBody {
     std::vector<Part> parts_;
 };
 
-// Returns the least double >= 0 for which holds() is true; infinity if there is none. holds() must be true for every
-// number above one for which it is true.
+// Returns the least double >= 0 for which holds() is true; infinity if there is none. If holds() is true for a number,
+// it must be true for every greater number.
 template <class Holds>
 double least_double(const Holds& holds) {
     std::uint64_t low = 0, high = double_infinity_magnitude;
@@ -119,7 +119,7 @@ bool contains(const Mesh& polytope, const CurvedBody& body) {
 double deviation(const Mesh& polytope, const CurvedBody& body) {
     const auto [num, den] = IntegerBody(polytope, body).largest_factor();
     const Dyadic longest = exact::decode(std::ranges::max(body.back().radii, {}, key_of));
-    // (rho - 1) m <= x if and only if m^2 num <= (x + m)^2 den^2.
+    // Uses that (rho - 1) m <= x if and only if m^2 num <= (x + m)^2 den^2.
     return least_double([&](double value) {
         const Dyadic x = exact::decode(value);
         const int unit = x.m == 0 ? longest.e : std::min(x.e, longest.e);

@@ -1,6 +1,7 @@
 // Builds polytopes around curved bodies. A polytope of vertices on the unit circle or sphere is scaled until it
-// contains the circle or sphere, the vertices are multiplied by the radii and rounded, and exact signs decide if the
-// hull of these points contains the body. If not, for coordinates were rounded inwards, the scale grows.
+// contains the circle or sphere; its vertices are multiplied by the radii and rounded; and exact signs decide whether
+// the hull of these points contains the body. If it does not, because coordinates were rounded inwards, the scale
+// grows.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -31,8 +32,8 @@ using exact::Int128;
 using exact::Integer;
 using exact::LongVector;
 
-// Returns radius * scale * x, rounded once to nearest; the factors beside the radius are in fixed point. Throws
-// InvalidArgument, which names `part`, if the product overflows.
+// Returns radius * scale * x, rounded once to nearest; `scale` and `x` are in fixed point. Throws InvalidArgument,
+// which names `part`, if the product overflows.
 double scaled(const std::string& part, double radius, Int128 scale, std::int64_t x) {
     const exact::Dyadic r = exact::decode(radius);
     const Int128 product = r.m * multiply_fixed(scale, x);
@@ -41,7 +42,8 @@ double scaled(const std::string& part, double radius, Int128 scale, std::int64_t
     return result;
 }
 
-// Returns the least number of binary digits that a radius of the body has as a double: 53, or fewer if it is subnormal.
+// Returns the least number of binary digits that doubles have at a radius of the body: 53, or fewer if a radius is
+// subnormal.
 int digit_count(const CurvedPart& part) noexcept {
     int count = exact::mantissa_bits;
     for (const double radius : part.radii) {
@@ -51,12 +53,12 @@ int digit_count(const CurvedPart& part) noexcept {
     return count;
 }
 
-// Returns the first polytope that contains the body. points_at(scale) returns its vertices. The unit polytope must
-// contain the unit circle or sphere at `scale`, but for a few units.
+// Returns the first polytope that contains the body, for growing scales. points_at(scale) must return its vertices. At
+// the first scale, the unit polytope must contain the unit circle or sphere, except for a few units.
 //
-// A scale is found. Rounding moves a coordinate by at most half of a unit in the last place, and so by at most half of
-// the radius. So relative to the radii, the hull's extent along any axis is less than that of the unit polytope by at
-// most sqrt(3) / 2. The last scale is 5 times the first one. Claim: verify/proofs/outer_polytopes.md
+// There is such a scale. Rounding moves a coordinate by at most half of a unit in the last place, and so by at most
+// half of the radius. So relative to the radii, the hull's extent along any axis is less than that of the unit polytope
+// by at most sqrt(3) / 2. The last scale is 5 times the first one. Claim: verify/proofs/outer_polytopes.md
 template <class PointsAt>
 Circumscribed grow(Int128 scale, const CurvedBody& body, const PointsAt& points_at) {
     const int digits = digit_count(body.back());
@@ -70,15 +72,15 @@ Circumscribed grow(Int128 scale, const CurvedBody& body, const PointsAt& points_
     return {};
 }
 
-// Builds the hull of a polygon around the disc in the plane z = -height / 2, and of `top`. The latter is a point on the
-// axis, or the same polygon.
+// Builds the hull of a polygon around the disc in the plane z = -height / 2, and of the top at z = height / 2: a point
+// on the axis for a cone, otherwise the same polygon.
 Circumscribed around_disc(double radius, double height, std::uint32_t sides, bool is_cone) {
     require_size("radius", radius);
     const double half = require_half("height", height);
     require_count("sides", sides, 3, max_sides);
     const CurvedPart disc{{radius, radius, 0}, -half}, apex{{0, 0, 0}, half}, other{{radius, radius, 0}, half};
-    // A polygon with vertices on the circle is at a distance of cos(pi / sides) from the center. The quotient of 2^120
-    // is the inverse in fixed point.
+    // The sides of a polygon with vertices on the circle are at a distance of cos(pi / sides) from the center. The
+    // quotient of 2^120 is the inverse in fixed point.
     const std::int64_t inner = on_circle(1, 2 * sides)[0];
     const Int128 scale = (Int128{1} << 2 * fixed_bits) / inner + 1;
     return grow(scale, {is_cone ? apex : other, disc}, [&](Int128 at) {
@@ -95,8 +97,8 @@ Circumscribed around_disc(double radius, double height, std::uint32_t sides, boo
 }
 
 // Returns the least scale, in fixed point, at which the faces of the sphere's mesh are at least 1 from the center. A
-// face with normal n, at a height of d = n . p along it, is at a distance of d / |n|. The scale s makes it far enough
-// if s^2 d^2 >= n . n; both sides are scaled by 2^480.
+// face with normal n, at a height of d = n . p along it, is at a distance of d / |n|. So the scale s suffices if s^2
+// d^2 >= n . n; both sides are scaled by 2^480.
 Int128 scale_of(const UnitSphere& sphere) {
     Int128 scale = fixed_one;
     for (const auto& [a, b, c] : sphere.triangles) {

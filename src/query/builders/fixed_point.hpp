@@ -1,6 +1,6 @@
 // Fixed-point numbers are integers in units of 2^-60. The curved builders guess vertices in them, so that the guesses
-// do not depend on the floating-point environment or on a library's cosine. Nothing is concluded from their digits:
-// exact signs decide about the vertices.
+// do not depend on the floating-point environment or on a library's cosine. No answer depends on their digits: exact
+// signs decide about the vertices.
 #pragma once
 
 #include <cstdint>

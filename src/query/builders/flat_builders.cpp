@@ -15,7 +15,7 @@ namespace {
 using namespace builders;
 
 // Returns 1 if q is after p in lexicographic order, -1 if it is before p, 0 if the points are equal. Compares keys,
-// since comparisons of doubles may take subnormal numbers for zero.
+// because comparisons of doubles may take subnormal numbers for zero.
 int way(const Vec2& p, const Vec2& q) noexcept {
     for (int axis = 0; axis < 2; ++axis) {
         const std::int64_t from = key_of(p[axis]), to = key_of(q[axis]);
@@ -24,7 +24,7 @@ int way(const Vec2& p, const Vec2& q) noexcept {
     return 0;
 }
 
-// Returns the indices of the points that differ from the point before, around the polygon.
+// Returns the indices of the points that differ from the point before, cyclically.
 std::vector<std::size_t> distinct_points(std::span<const Vec2> polygon) {
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -40,7 +40,8 @@ std::vector<std::size_t> distinct_points(std::span<const Vec2> polygon) {
 // Throws InvalidArgument unless the polygon is convex, or all of its points are on one line.
 //
 // A closed polygon that never turns right, or never turns left, is convex if it goes around once. Each time around, its
-// sides change twice between ascending and descending in lexicographic order; so do sides that go back on their line.
+// sides change twice between ascending and descending in lexicographic order. Sides that go back on their line change
+// in the same way.
 void require_convex(std::span<const Vec2> polygon) {
     const std::vector<std::size_t> kept = distinct_points(polygon);
     const auto point = [&](std::size_t k) { return polygon[kept[k % kept.size()]]; };

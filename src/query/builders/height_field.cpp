@@ -20,8 +20,8 @@ using namespace builders;
 
 constexpr std::size_t index_max = std::numeric_limits<std::uint32_t>::max();
 
-// Returns `count` multiples of the spacing from 0 on, each rounded once. They ascend: neighbors differ by more than a
-// unit in the last place, since `count` is below 2^32.
+// Returns `count` multiples of the spacing, beginning with 0, each rounded once. They ascend: neighbors differ by more
+// than a unit in the last place, since `count` is below 2^32.
 std::vector<double> positions(std::size_t count, const Vec2& spacing, int axis) {
     const std::string name = "spacing(" + std::to_string(axis) + ")";
     require_size(name, spacing[axis]);
@@ -35,7 +35,7 @@ std::vector<double> positions(std::size_t count, const Vec2& spacing, int axis) 
     return result;
 }
 
-// Makes the mesh of a height field, and on demand that of the solid below it.
+// FieldMesh makes the mesh of a height field, and on demand that of the solid below it.
 class FieldMesh {
   public:
     FieldMesh(std::span<const double> heights, std::size_t columns, const Vec2& spacing)
@@ -43,7 +43,7 @@ class FieldMesh {
         require_count("columns", columns, 2, index_max);
         if (heights.size() % columns != 0) throw invalid_rows(heights.size(), columns);
         require_count("rows", rows_, 2, index_max);
-        // The base has fewer vertices than the field.
+        // The solid's base has fewer vertices than the field, so twice as many must fit.
         if (heights.size() > index_max / 2) throw mesh_too_large(heights.size(), 2 * heights.size());
         x_ = positions(columns_, spacing, 0);
         y_ = positions(rows_, spacing, 1);
@@ -57,7 +57,7 @@ class FieldMesh {
         }
     }
 
-    // Adds the walls and the bottom at z = base, which has the vertices of the field's border only.
+    // Adds the walls, and the bottom at z = base, whose vertices are those below the field's border.
     void add_base(double base) {
         std::vector<std::uint32_t> above;  // the border, counterclockwise seen from above
         for (std::size_t i = 0; i + 1 < columns_; ++i) above.push_back(vertex(i, 0));
@@ -80,23 +80,23 @@ class FieldMesh {
     std::uint32_t vertex(std::size_t i, std::size_t j) const noexcept {
         return static_cast<std::uint32_t>(j * columns_ + i);
     }
-    // Adds the quad's two triangles, parted by the diagonal a-c.
+    // Adds the quad's two triangles, which the diagonal a-c separates.
     void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
         triangles_.push_back({a, b, c});
         triangles_.push_back({a, c, d});
     }
 
-    // Adds strips between the left and the right border, bottom up: first one that ends at the first row's vertices,
-    // last one that ends at the last row's. The border's `count` vertices begin with `first`, at (0, 0),
-    // counterclockwise.
+    // Adds the bottom as strips between the left and the right border, in the order of rows. The first strip has the
+    // vertices of the first row, and the last strip those of the last row. The border has `count` vertices,
+    // counterclockwise from `first`, which is at (0, 0).
     void add_bottom(std::uint32_t first, std::uint32_t count) {
         const auto right = first + static_cast<std::uint32_t>(columns_) - 1;
         const auto left = [&](std::uint32_t j) { return j == 0 ? first : first + count - j; };
         const auto last = static_cast<std::uint32_t>(rows_) - 1;
-        // A fan around the left end of the row above; its last triangle has the right end.
+        // Adds a fan around the left end of row 1; its last triangle has the right end of row 0.
         for (std::uint32_t v = first; v < right; ++v) triangles_.push_back({left(1), v + 1, v});
         if (last == 1) {
-            // A fan of the only strip's other half, around the right end of the row below.
+            // Adds the other half of the only strip, as a fan around the right end of row 0.
             for (std::uint32_t v = right + 1; v < left(1); ++v) triangles_.push_back({right, v + 1, v});
             return;
         }

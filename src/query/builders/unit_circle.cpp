@@ -11,8 +11,8 @@ std::int64_t times(std::int64_t a, std::int64_t b) noexcept {
     return static_cast<std::int64_t>(multiply_fixed(a, b));
 }
 
-// Returns the sum of Taylor's series 1 - y / (f (f + 1)) + y^2 / (f (f + 1) (f + 2) (f + 3)) - ..., where y = x^2. It
-// is the cosine of x for f = 1, and the sine of x over x for f = 2. For y <= (pi / 4)^2, the term of y^11 is below
+// Returns the sum of Taylor's series 1 - y / (f (f + 1)) + y^2 / (f (f + 1) (f + 2) (f + 3)) - ..., where y = x^2. For
+// f = 1 it is the cosine of x, and for f = 2 the sine of x over x. For y <= (pi / 4)^2, the term of y^11 is below
 // 2^-70.
 std::int64_t series(std::int64_t y, int f) noexcept {
     std::int64_t sum = fixed_one;

@@ -13,7 +13,8 @@ using exact::Int128;
 using exact::Uint128;
 using Point = std::array<std::int64_t, 3>;
 
-// The vertices are (0, +-s, +-l) and what turns of the axes make of them: l / s is the golden ratio, s^2 + l^2 = 1.
+// The vertices are (0, +-s, +-l) and the cyclic permutations of these, where l / s is the golden ratio and s^2 + l^2 =
+// 1.
 UnitSphere icosahedron() {
     constexpr std::int64_t s = 0x0869'6506'd0a9'8690, l = 0x0d9c'4405'a301'f23f;
     return {{{-s, l, 0},

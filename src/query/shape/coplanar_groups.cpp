@@ -14,9 +14,9 @@ namespace {
 
 using namespace exact;
 
-// Holds a triangle's plane, rounded coarsely: the direction of the normal in steps of 2^-10, and the distance from the
-// mesh's center in steps of 2^-20 of the mesh's size. Triangles in one plane usually have equal steps; only these are
-// tested exactly.
+// A PlaneKey is a triangle's plane, rounded coarsely: the direction of the normal in steps of 2^-10, and the distance
+// from the mesh's center in steps of 2^-20 of the mesh's size. Triangles in one plane usually have equal steps; only
+// triangles with equal steps are compared exactly.
 struct PlaneKey {
     std::array<std::int32_t, 4> step;
     std::uint32_t triangle;
@@ -25,8 +25,7 @@ struct PlaneKey {
     friend auto operator<=>(const PlaneKey&, const PlaneKey&) = default;
 };
 
-// Returns the key of a triangle. Returns nullopt if the normal is zero or overflows; the triangle is then put in no
-// group.
+// Returns the key of a triangle; nullopt if the normal is zero or overflows, and then the triangle is in no group.
 std::optional<PlaneKey> key_of(const Mesh& mesh, const MeshExtent& extent, std::uint32_t triangle) {
     const Triangle& t = mesh.triangles()[triangle];
     const Vec3& a = mesh.vertices()[t[0]];
@@ -40,7 +39,7 @@ std::optional<PlaneKey> key_of(const Mesh& mesh, const MeshExtent& extent, std::
     return PlaneKey{{steps(n[0], 0x1p10), steps(n[1], 0x1p10), steps(n[2], 0x1p10), steps(distance, 0x1p20)}, triangle};
 }
 
-// True if two triangles lie exactly in one plane and their normals point to the same side.
+// Returns true if two triangles lie exactly in one plane and their normals point to the same side.
 bool is_coplanar(const VertexSigns& signs, const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
     const Triangle &s = mesh.triangles()[a], &t = mesh.triangles()[b];
     for (const std::uint32_t vertex : t) {
@@ -53,8 +52,8 @@ bool is_coplanar(const VertexSigns& signs, const Mesh& mesh, std::uint32_t a, st
     return false;
 }
 
-// Groups triangles with equal keys by their planes. Only the first four planes of each key are remembered: a surface
-// with more planes so near each other hardly has a group.
+// Grouper groups triangles with equal keys by their planes. Only the first four planes of each key are remembered,
+// because a surface with more planes so near each other hardly has a group.
 class Grouper {
   public:
     explicit Grouper(const Mesh& mesh)
@@ -65,9 +64,9 @@ class Grouper {
         for (const PlaneKey& key : keys) add(key.triangle);
     }
 
-    // Returns the side of the group's plane on which all vertices lie, or on the plane itself: 1 or -1; 0 if there are
-    // vertices on both sides. It tests each vertex once, since triangles' corners are three to six times as many. A
-    // vertex that no triangle uses may turn the answer into 0, but never makes it wrong.
+    // Returns the closed side of the group's plane that contains all vertices, 1 or -1; 0 if there are vertices on both
+    // sides. Tests each vertex once, since triangles have three to six times as many corners. A vertex that no triangle
+    // uses may turn the answer into 0, but never makes it wrong.
     std::int8_t side_of_mesh(std::uint32_t group) {
         const Triangle& t = mesh_.triangles()[first_[group]];
         const auto count = static_cast<std::uint32_t>(mesh_.vertices().size());
@@ -105,7 +104,7 @@ class Grouper {
     std::size_t plane_count_ = 0;
 };
 
-// Returns the group that all items belong to; CoplanarGroups::none if there is no such group.
+// Returns the group to which all items belong; CoplanarGroups::none if there is no such group.
 template <class Items, class GroupOf>
 std::uint32_t common_group(const Items& items, std::size_t count, const GroupOf& group_of) {
     const std::uint32_t group = group_of(items[0]);

@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// Groups of two or more triangles that lie in one plane and face the same side. An affine map keeps a group in one
-// plane. So under any pose, a point needs to be compared with this plane only once for the whole group.
+// CoplanarGroups are groups of two or more triangles that lie in one plane and face the same side. An affine map keeps
+// a group in one plane. So under any pose, a point needs to be compared with this plane only once for the whole group.
 //
 // A group need not contain all triangles of its plane. Triangles without area are in no group.
 struct CoplanarGroups {
@@ -25,8 +25,8 @@ struct CoplanarGroups {
     bool empty() const noexcept { return first.empty(); }
 };
 
-// Cost: n log n. If the mesh has many groups, `side` is computed only for the first few, at one pass over the vertices
-// each.
+// Finds the groups. Cost: n log n. If the mesh has many groups, `side` is computed only for the first few, with one
+// pass over the vertices for each.
 CoplanarGroups find_coplanar_groups(const Mesh& mesh, const exact::MeshExtent& extent, const MeshBvh& tree);
 
 }  // namespace ecods

@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-// MeshBody refers to a mesh, its pose and its tree, and copies none of them.
+// A MeshBody refers to a mesh, its pose and its tree, and copies none of them.
 struct MeshBody {
     MeshBody(const MeshShape& of, const Pose& at) : shape(of), pose(at), tree(MeshShapeAccess::tree(of)) {
         ECODS_ASSERT(is_finite(at));
@@ -34,7 +34,7 @@ inline const MeshShape& point_shape() {
     return shape;
 }
 
-// MeshPair holds the two bodies of a query.
+// A MeshPair holds the two bodies of a query.
 struct MeshPair {
     // Returns the pair of triangles that the witness names; nullopt unless both bodies have these triangles.
     std::optional<TrianglePair> named_by(const PairWitness& w) const noexcept {

@@ -11,8 +11,8 @@
 namespace ecods {
 namespace {
 
-// box() poses the vertices one by one if there are at most so many. Up to this number that is as fast as to use a
-// support table, and the box is tighter.
+// If there are at most this many vertices, box() poses them one by one: this is as fast as a support table, and the box
+// is tighter.
 constexpr std::size_t vertices_posed_max = 32;
 
 std::uint64_t next_tree_id() noexcept {
@@ -22,8 +22,8 @@ std::uint64_t next_tree_id() noexcept {
 
 }  // namespace
 
-// Holds everything that a MeshShape derives from its mesh. Each member is computed on first use, and does not depend on
-// the thread or the query that uses it first.
+// Parts holds everything that a MeshShape derives from its mesh. Each member is computed on first use, and does not
+// depend on the thread or the query that uses it first.
 struct MeshShape::Parts {
     Lazy<LocalFrame> frame;
     Lazy<SupportTable> support_table;
@@ -95,7 +95,7 @@ void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model)
 const SupportTable* MeshShape::Parts::table_for(const MeshShape& shape) {
     if (shape.mesh().vertices().size() <= vertices_posed_max) return nullptr;
     const LocalFrame& own = MeshShapeAccess::frame(shape);
-    // A frame cannot be scaled to fit a very large or very small mesh. A table would bound such a mesh poorly.
+    // A frame cannot be scaled to fit a very large or very small mesh, and a table would bound such a mesh poorly.
     if (!own.is_bounded || own.half.maxCoeff() < 0.25) return nullptr;
     return &support_table.get([&] { return SupportTable(shape.mesh(), own); });
 }

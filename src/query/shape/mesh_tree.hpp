@@ -29,8 +29,8 @@ struct MeshShapeAccess {
     static void find_boxes(const MeshShape& shape, std::span<const Pose* const> poses, std::span<Aabb* const> boxes);
     static const CoplanarGroups& groups(const MeshShape& shape);
 
-    // Returns the shape of the mesh scaled by 2^e (other_units.hpp), which `make` creates on first use. All calls for
-    // one shape must pass the same e.
+    // Returns the shape of the mesh scaled by 2^e (other_units.hpp). `make` creates it on first use. All calls for one
+    // shape must pass the same e.
     static const MeshShape& in_other_units(const MeshShape& shape,
                                            std::shared_ptr<const Mesh> (*make)(const Mesh& mesh, int e), int e);
 
@@ -38,10 +38,10 @@ struct MeshShapeAccess {
     // on first use.
     static const Sha256::Digest& digest(const MeshShape& shape, Sha256::Digest (*make)(const MeshShape&));
 
-    // Makes a shape that is the surface of a shape, and shares what is made of its mesh.
+    // Returns a shape that is the surface of `shape`, and shares all data derived from its mesh.
     static std::shared_ptr<const MeshShape> surface(const MeshShape& shape);
 
-    // The pieces of the mesh (query/solid/pieces.hpp), found by `find` on first use.
+    // Returns the pieces of the mesh (query/solid/pieces.hpp), which `find` finds on first use.
     static const std::vector<std::uint32_t>& pieces(const MeshShape& shape,
                                                     std::vector<std::uint32_t> (*find)(const MeshShape& shape));
 

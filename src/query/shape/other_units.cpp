@@ -27,8 +27,8 @@ int exponent_of(const MeshShape& shape) {
     return std::max({exponent_above(size[0]), exponent_above(size[1]), exponent_above(size[2])});
 }
 
-// Returns the exponent e by which the shape's mesh is scaled, so that the scaled mesh is 2^e times as large; 0 if it is
-// not scaled. The exponent depends on the shape alone.
+// Returns the exponent e for which the shape's mesh is scaled by 2^e; 0 if it is not scaled. The exponent depends on
+// the shape alone.
 int scale_of(const MeshShape& shape) {
     const int exponent = exponent_of(shape);
     return is_moderate(exponent) || exponent == exact::exponent_of_zero ? 0 : -exponent;
@@ -41,7 +41,7 @@ int exponent_of_all(const Numbers& numbers) {
     return exponent;
 }
 
-// True if each of the numbers times 2^e is a double that is not subnormal.
+// Returns true if each of the numbers times 2^e is zero or a double that is not subnormal.
 template <class Numbers>
 bool can_scale_all(const Numbers& numbers, int e) {
     return std::all_of(numbers.data(), numbers.data() + numbers.size(), [e](double x) {

@@ -1,13 +1,13 @@
-// Scales bodies whose size is near the ends of the range of doubles.
+// OtherUnits scales bodies whose size is near the ends of the range of doubles.
 //
 // An answer without a unit (a time, a name, an intersection) does not change if all bodies are scaled by 2^e. Without
 // scaling, very small bodies are decided in integers, because bounds of rounding errors have terms for underflow;
 // bodies above a limit are not decided by these bounds at all. So bodies below 2^-200 or above 2^200 are scaled to
 // about 1 for a query.
 //
-// A body is scaled by its pose. If the mesh's own coordinates are very small or large, a scaled mesh is used, too,
-// which the shape caches. Translations are always scaled. All scaling is exact; if it cannot be, the bodies are left as
-// they are.
+// A body is scaled by its pose. If the mesh's own coordinates are very small or large, a scaled mesh, which the shape
+// caches, is used, too. Translations are always scaled. All scaling is exact; if it cannot be exact, the bodies are
+// left as they are.
 #pragma once
 
 #include <array>
@@ -20,14 +20,13 @@ namespace ecods {
 
 class OtherUnits {
   public:
-    // Chooses units for two bodies at all the given poses, and for a vector by which one of them is moved, or the
-    // pivot of its turn. Cost: some
-    // tens of nanoseconds.
+    // Chooses units for two bodies at all the given poses, and for a vector by which one of them is moved, or the pivot
+    // of its turn. Cost: some tens of nanoseconds.
     OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion = Vec3::Zero());
     OtherUnits(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b);
 
-    // True if a query should use these units, each of which is 2^-e times a usual unit.
+    // Returns true if a query should use these units, each of which is 2^-e times a usual unit.
     bool are_better() const noexcept { return exponent_ != 0; }
 
     // Return the body, or the vector, in these units. The first call for a shape may create a scaled shape, with its
