@@ -35,7 +35,7 @@ std::vector<std::uint32_t> find_pieces(const MeshShape& shape) {
     std::vector<std::uint32_t> parents;
     VertexPieces pieces(shape.mesh(), parents);
     for (const Triangle& corners : triangles) pieces.join(corners);
-    std::vector<std::uint32_t> least(parents.size(), none);  // by the vertex that stands for a piece; none once listed
+    std::vector<std::uint32_t> least(parents.size(), none);  // by root: least triangle; none once listed
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         std::uint32_t& known = least[pieces.piece_of(triangles[i][0])];
         known = std::min(known, i);
