@@ -10,7 +10,7 @@
 namespace ecods::python {
 namespace {
 
-// Doubles represent all integers up to this one.
+// Doubles represent all integers up to this magnitude.
 constexpr std::int64_t whole_max = std::int64_t{1} << 53;
 
 py::array to_array(py::handle value, const char* what) {

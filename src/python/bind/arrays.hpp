@@ -18,7 +18,7 @@ namespace ecods::python {
 
 namespace py = pybind11;
 
-// Holds contiguous doubles, row by row.
+// Doubles is an array of contiguous doubles, row by row.
 using Doubles = py::array_t<double, py::array::c_style>;
 
 // Returns the numbers of an array, or of an object that numpy converts to an array. Throws TypeError if they are not
@@ -26,11 +26,11 @@ using Doubles = py::array_t<double, py::array::c_style>;
 // messages.
 Doubles exact_doubles(py::handle value, const char* what);
 
-// Returns the numbers of an array of this shape, in which -1 stands for any length. Throws like the function above, and
-// ValueError for any other shape.
+// Returns the numbers of an array of this shape, in which -1 stands for any length. Throws TypeError and ValueError as
+// the function above, and ValueError for any other shape.
 Doubles exact_doubles(py::handle value, const char* what, std::span<const py::ssize_t> shape);
 
-// Returns the numbers of an array of points, (n, 3).
+// Returns the numbers of an array of points, whose shape is (n, 3).
 Doubles exact_points(py::handle value, const char* what);
 
 // Returns the shape as text, such as "(3, 4)".
@@ -41,7 +41,7 @@ std::string type_name(py::handle value);
 
 Vec3 to_vec3(py::handle value, const char* what);
 
-// Returns the box of an array (2, 3), whose first row is the least corner.
+// Returns the box of an array (2, 3); the first row is its min, the second its max.
 Aabb to_box(py::handle value);
 
 // Returns the pose of an array: (4, 4) with a last row of 0 0 0 1, or (3, 4). None stands for the identity. Throws
@@ -51,8 +51,8 @@ Pose to_pose(py::handle value);
 // Returns the pose whose matrix is the first 12 entries, row by row. Does not check them.
 Pose pose_of(const double* entries);
 
-// Holds a list of poses, (k, 4, 4) or (k, 3, 4), or a single pose, which every index gives. The constructor checks all
-// poses and throws InvalidArgument, which names the index of the first bad pose.
+// A PoseList holds a list of poses, (k, 4, 4) or (k, 3, 4), or a single pose, which it returns for every index. The
+// constructor checks all poses and throws InvalidArgument, which names the index of the first bad pose.
 class PoseList {
   public:
     explicit PoseList(py::handle value, const char* what);
@@ -68,7 +68,7 @@ class PoseList {
     std::size_t step_ = 0;  // number of doubles from one pose to the next; 0 for a single pose
 };
 
-// These functions return new arrays.
+// The functions from_ return new arrays.
 py::array_t<double> from_vec3(const Vec3& v);
 py::array_t<double> from_points(std::span<const Vec3> points);  // (n, 3)
 py::array_t<double> from_box(const Aabb& box);                  // (2, 3)
@@ -91,8 +91,8 @@ py::array_t<Number> from_named_pairs(const Pairs& pairs, const NumberOf& number_
     return array;
 }
 
-// Convert a body id to Python's number and back. A number of no body becomes an id that no body has, which every call
-// rejects as stale.
+// Convert a body id to Python's number and back. A number that names no body becomes an id that no body has, which
+// every call rejects as stale.
 constexpr std::uint64_t number_of(BodyId body) noexcept {
     return body.rank();
 }
@@ -106,8 +106,8 @@ py::array_t<std::uint64_t> from_bodies(std::span<const BodyId> bodies);         
 py::array_t<std::uint64_t> from_pairs(std::span<const BodyPair> pairs);          // (n, 2)
 py::array_t<std::uint32_t> from_triangles(std::span<const TrianglePair> pairs);  // (n, 2)
 std::vector<BodyId> to_bodies(py::handle value);
-// Returns poses for `bodies`, checked like those of a PoseList; errors name the body, as the errors of World::set_poses
-// do.
+// Returns poses for `bodies`, checked like the poses of a PoseList. Errors name the body, as the errors of
+// World::set_poses do.
 std::vector<Pose> to_poses(py::handle value, std::span<const BodyId> bodies);
 
 }  // namespace ecods::python

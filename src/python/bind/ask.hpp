@@ -7,15 +7,15 @@
 
 namespace ecods::python {
 
-// Returns question(), which runs without the interpreter's lock.
+// Returns question(). Releases the interpreter's lock while it runs.
 template <class Question>
 auto ask(Question question) {
     const pybind11::gil_scoped_release release;
     return question();
 }
 
-// Returns question(ask), which runs without the interpreter's lock. If there is a witness, `ask` has a copy of it,
-// which is stored to *witness afterwards: other threads may use the witness meanwhile.
+// Returns question(ask). Releases the interpreter's lock while it runs. If there is a witness, `ask` has a copy of it,
+// which is stored to *witness afterwards, because other threads may use the witness meanwhile.
 template <class Question>
 auto ask(PairWitness* witness, Question question) {
     if (witness == nullptr) return ask([&] { return question(Ask()); });
@@ -26,8 +26,8 @@ auto ask(PairWitness* witness, Question question) {
 }
 
 // Return functions for pybind11 to bind. The function of asked() returns question(given...). The function of
-// asked_with_witness() takes a witness as a further argument and returns question(given..., ask), in which `ask` has
-// the witness. Both run without the interpreter's lock.
+// asked_with_witness() takes a witness as a further argument and returns question(given..., ask), where `ask` has the
+// witness. Both run without the interpreter's lock.
 template <class... Given, class Question>
 auto asked(Question question) {
     return [question](const Given&... given) { return ask([&] { return question(given...); }); };

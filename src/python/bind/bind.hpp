@@ -1,4 +1,4 @@
-// Declares functions that each bind a part of the module. module.cpp calls them in this order, since the types in a
+// Declares functions that each bind a part of the module. module.cpp calls them in this order, because the types in a
 // signature must be bound before the signature.
 #pragma once
 
@@ -28,7 +28,7 @@ void bind_trace(pybind11::module_& m);
 void bind_world(pybind11::module_& m);
 void bind_process(pybind11::module_& m);
 
-// Shortens the error for arguments that fit no signature, for every function and method bound so far: in place of
+// Shortens the error for arguments that fit no signature, for every function and method bound so far. In place of
 // pybind11's list of signatures and arguments, the error has the one line that ecods/refusals.py makes. A successful
 // call costs one more indirect call.
 void shorten_refusals(const pybind11::module_& m);

@@ -21,8 +21,8 @@ py::array_t<ProxyIndex> found(const BroadPhase& self, const What& what) {
     return from_numbers(self.find(what));
 }
 
-// Returns the state to pickle or copy: the boxes with their numbers. A copy is like a broad phase before its first
-// update, with empty lists.
+// Returns the state to pickle or copy: the boxes with their numbers. A copy is in the state before its first update,
+// with empty lists.
 py::tuple boxes_of(const BroadPhase& self) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Aabb everything{.min = Vec3::Constant(-infinity), .max = Vec3::Constant(infinity)};

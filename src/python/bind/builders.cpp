@@ -9,7 +9,7 @@
 namespace ecods::python {
 namespace {
 
-// Holds a Circumscribed with its solid as pybind11 holds it.
+// A PythonCircumscribed is a Circumscribed with its solid in the form in which pybind11 holds it.
 struct PythonCircumscribed {
     std::shared_ptr<ConvexSolid> solid;
     double deviation = 0;
@@ -52,7 +52,7 @@ void add_flat(py::module_& m) {
         [](const py::object& polygon, double height) {
             const std::array<py::ssize_t, 2> shape{-1, 2};
             const Doubles rows = exact_doubles(polygon, "polygon", shape);
-            // Copied, since Vec2 is aligned to 16 bytes, and rows of an array may not be.
+            // The points are copied, because Vec2 is aligned to 16 bytes, and rows of an array may not be.
             std::vector<Vec2> points;
             for (py::ssize_t i = 0; i < rows.shape(0); ++i) points.emplace_back(rows.at(i, 0), rows.at(i, 1));
             const py::gil_scoped_release release;

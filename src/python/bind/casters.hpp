@@ -39,7 +39,7 @@ inline py::object integer_of(py::handle value) {
     return {};
 }
 
-// Returns the body id of a Python int; nothing if the integer is negative or has more than 64 bits.
+// Returns the body id of a Python int; nullopt if the integer is negative or has more than 64 bits.
 inline std::optional<BodyId> body_of(const py::object& integer) {
     const std::uint64_t number = PyLong_AsUnsignedLongLong(integer.ptr());
     if (PyErr_Occurred() == nullptr) return body_of(number);
@@ -47,13 +47,13 @@ inline std::optional<BodyId> body_of(const py::object& integer) {
     return std::nullopt;
 }
 
-// Holds an id that was given to a function which accepts any integer; the null id if the integer is no id.
+// An AnyId holds an id that was given to a function which accepts any integer; the null id if the integer is no id.
 struct AnyId {
     BodyId body;
 };
 
-// Holds Python's enum for an enum of the library: its type, and its members in the order of their values, beginning
-// with the value `least`. Lives as long as the process.
+// An Enumeration holds Python's enum for an enum of the library: its type, and its members in the order of their
+// values, beginning with the value `least`. It lives as long as the process.
 struct Enumeration {
     PyObject* type = nullptr;
     std::vector<PyObject*> members;
@@ -89,7 +89,7 @@ inline Vec3 to_point(py::handle value) {
     return to_vec3(value, "point or vector");
 }
 
-// Returns the value of a member of the enum, or of a member's name; nothing for other objects.
+// Returns the value of a member of the enum, or of a member's name; nullopt for other objects.
 std::optional<int> value_of(py::handle member_or_name, const Enumeration& enumeration);
 
 }  // namespace ecods::python
@@ -187,7 +187,7 @@ ECODS_PYTHON_VALUE(ecods::Pose, "numpy.ndarray", ecods::python::to_pose, ecods::
 ECODS_PYTHON_VALUE(ecods::Aabb, "numpy.ndarray", ecods::python::to_box, ecods::python::from_box);
 #undef ECODS_PYTHON_VALUE
 
-// An object of the module's own is no point, so that a function may take a point or a body in one place.
+// Refuses objects of the module's own classes as points, so that a function may take a point or a body in one place.
 template <>
 struct type_caster<ecods::Vec3> : ecods_value_caster<ecods::Vec3, ecods::python::to_point, ecods::python::from_vec3> {
     static constexpr auto name = const_name("numpy.ndarray");

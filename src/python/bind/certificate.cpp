@@ -10,8 +10,8 @@
 namespace ecods::python {
 namespace {
 
-// Binds copying and pickling of certificates: a copy is the object itself, which never changes, and pickling raises
-// TypeError, since a certificate refers to meshes.
+// Binds copying and pickling of certificates. A copy is the object itself, which never changes. Pickling raises
+// TypeError, because a certificate refers to meshes.
 template <class T>
 void keep_whole(py::class_<T>& type) {
     copies_are_itself(type);

@@ -16,7 +16,8 @@ struct Known {
     std::function<void(const Error&, py::object&)> add_members;
 };
 
-// Returns the known errors by type. The map is never destroyed, since exceptions may be raised until the process ends.
+// Returns the known errors by type. The map is never destroyed, because exceptions may be raised until the process
+// ends.
 std::map<std::type_index, Known>& known() {
     static auto* const kept = new std::map<std::type_index, Known>;
     return *kept;
@@ -54,7 +55,7 @@ std::string stale_text(const std::string& number, ListIndex index) {
     return (index ? "entry " + std::to_string(*index) + ": " : "") + "id " + number + " names no body of this world";
 }
 
-// Returns the library's text of an error, with the id of a body as Python has it: an integer.
+// Returns the library's text of an error, with the id of a body in Python's form, an integer.
 std::string message_of(const Error& error) {
     const auto* const stale = dynamic_cast<const StaleBody*>(&error);
     if (stale == nullptr) return error.what();

@@ -1,4 +1,4 @@
-// Raises errors that only integers of Python can cause, since these may be negative or have more than 64 bits.
+// Raises errors that only Python's integers can cause, because these may be negative or have more than 64 bits.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,8 +7,8 @@
 
 namespace ecods::python {
 
-// Raises StaleBody for an integer that cannot be an id, since it is negative or has more than 64 bits. `index` is the
-// integer's place in a list, if any.
+// Raises StaleBody for an integer that cannot be an id, because it is negative or has more than 64 bits. `index` is the
+// integer's place in a list, if there is a list.
 [[noreturn]] void raise_stale(const pybind11::object& number, ListIndex index = {});
 
 // Raises InvalidMesh with the negative index that Python passed. In `error`, the index is converted to 64 bits without

@@ -40,7 +40,7 @@ void add_half_space_class(py::module_& m) {
     add_posed(posed, type, "HalfSpace", &half_space_text);
 }
 
-// The questions that a body of any kind and a half space have in common.
+// Binds the questions that bodies of all kinds have with a half space.
 template <class Body>
 void add_half_space_questions(py::module_& m) {
     const py::arg a("a"), b("b");

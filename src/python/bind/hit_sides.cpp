@@ -1,4 +1,4 @@
-// Binds the questions of hit.hpp about normals and sides of hits, and about parts of lines inside solids.
+// Binds the questions of hit.hpp about normals and sides of hits, and about the parts of lines inside solids.
 #include <pybind11/stl.h>
 
 #include <string>

@@ -47,7 +47,7 @@ std::size_t common_length(const PoseList& a, const PoseList& b) {
     return a.size();
 }
 
-// Returns an array with the answers of question(a, b, ask), one for each place in the lists of poses; a single pose
+// Returns an array with the answers of question(a, b, ask), one for each place in the lists of poses. A single pose
 // stands for all places.
 template <class Answer, class Question>
 py::array_t<Answer> at_poses(const MeshShape& a, const py::object& poses_a, const MeshShape& b,
@@ -139,7 +139,8 @@ py::array_t<std::uint8_t> locate_many(const py::object& points, const PosedMesh&
     return sides;
 }
 
-// Calls ask(points of a part, index of its first point) on several threads. An error names the index among all points.
+// Calls ask(points of a part, index of the part's first point) on several threads. If an error has an index, this
+// becomes the index among all points.
 template <class AskPart>
 void ask_about_points(const Doubles& rows, std::size_t threads, const AskPart& ask) {
     std::vector<Vec3> points;

@@ -218,7 +218,7 @@ void add_motions(py::class_<MovingMesh>& type) {
 }  // namespace
 
 void bind_meshes(py::module_& m) {
-    // Declares these types first, since signatures of Mesh name them.
+    // Declares these types first, because signatures of Mesh name them.
     py::class_<PosedMesh> posed(m, "Posed",
                                 "A mesh at a pose: the set of the real points R v + t. Mesh.at() makes one, too.");
     py::class_<MovingMesh> moving(

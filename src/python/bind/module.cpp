@@ -27,7 +27,7 @@ PYBIND11_MODULE(_ecods, m) {
     bind_trace(m);
     bind_world(m);
     bind_process(m);
-    // Gives types the name of the package, under which they are looked up, printed and pickled.
+    // Sets the module of each type to the package, under whose name types are looked up, printed and pickled.
     for (const auto& item : m.attr("__dict__").cast<py::dict>()) {
         if (py::isinstance<py::type>(item.second)) item.second.attr("__module__") = "ecods";
     }

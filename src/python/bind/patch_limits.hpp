@@ -1,4 +1,4 @@
-// The arguments of Python functions that are the limits of a contact patch.
+// LimitArguments are the arguments of Python functions for the limits of a contact patch.
 #pragma once
 
 #include "ecods/contact.hpp"

@@ -11,8 +11,8 @@
 namespace ecods::python {
 namespace {
 
-// Holds an argument of points, triangles or poses, of which the last axes have the lengths `tail`. All axes before
-// these follow numpy's rules of broadcasting.
+// Rows holds an argument: points, triangles or poses. Its last axes have the lengths `tail`. All axes before them
+// follow numpy's rules of broadcasting.
 class Rows {
   public:
     Rows(const py::object& value, const char* what, std::vector<py::ssize_t> tail) : tail_(std::move(tail)) {
@@ -53,7 +53,7 @@ class Rows {
         for (const py::ssize_t n : tail_) size *= static_cast<std::size_t>(n);
         return size;
     }
-    // Throws InvalidArgument for a coordinate that is not finite, with the text that locate() has for a point.
+    // Throws InvalidArgument for a coordinate that is not finite, with the text that locate() uses for a point.
     [[noreturn]] void refuse(const double& x) const {
         const auto at = static_cast<std::size_t>(&x - array_.data());
         const std::string axis = std::to_string(at % static_cast<std::size_t>(tail_.back()));

@@ -14,7 +14,7 @@
 
 namespace ecods::python {
 
-// True if two values of a field are equal.
+// Returns true if two values of a field are equal.
 template <class T>
 bool are_same(const T& a, const T& b) {
     return a == b;

@@ -8,10 +8,10 @@ namespace {
 
 namespace py = pybind11;
 
-// Points to pybind11's function behind all functions that it binds: it selects the overload and converts arguments.
+// This is pybind11's function behind all functions that it binds: it selects the overload and converts arguments.
 PyCFunctionWithKeywords dispatcher = nullptr;
 
-// If Python's current error is about arguments that no overload takes, replaces its text by one line.
+// If Python's current error is about arguments that no overload takes, replaces the error's text by one line.
 void shorten(PyObject* args, PyObject* kwargs) {
     py::error_already_set refused;
     try {
@@ -41,7 +41,7 @@ PyMethodDef& definition_of(PyObject* function) {
     return *reinterpret_cast<PyCFunctionObject*>(function)->m_ml;
 }
 
-// Replaces pybind11's function behind one bound function by call(). Leaves other functions as they are, since classes
+// Replaces pybind11's function behind one bound function by call(). Leaves other functions unchanged, because classes
 // also have functions of Python's own.
 void shorten_one(py::handle value) {
     PyObject* function = value.ptr();
@@ -58,7 +58,7 @@ void shorten_one(py::handle value) {
 
 void shorten_refusals(const py::module_& m) {
     const py::cpp_function any([] {});
-    // Does nothing for a pybind11 with another calling convention.
+    // A pybind11 with another calling convention is left unchanged.
     if (definition_of(any.ptr()).ml_flags != (METH_VARARGS | METH_KEYWORDS)) return;
     dispatcher = as_called(definition_of(any.ptr()).ml_meth);
     for (const auto& item : m.attr("__dict__").cast<py::dict>()) {

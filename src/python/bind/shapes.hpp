@@ -1,4 +1,5 @@
-// Defines how Python holds meshes and solids: by shared pointers, so that whatever refers to a mesh keeps it alive.
+// Defines how Python holds meshes and solids: by shared pointers, so that every object that refers to a mesh keeps it
+// alive.
 #pragma once
 
 #include <memory>
@@ -16,19 +17,19 @@
 
 namespace ecods::python {
 
-// The C++ types of Python's classes Posed and Moving. Python code can make them only from shared pointers, so each
-// object keeps its shape alive.
+// These are the C++ types of Python's posed and moving shapes. Python code can make them only from shared pointers, so
+// each object keeps its shape alive.
 using PosedMesh = Posed<MeshShape>;
 using MovingMesh = Moving<MeshShape>;
 using PosedRounded = Posed<Rounded>;
 using PosedHalfSpace = Posed<HalfSpace>;
 
-// Returns a shape as pybind11 holds it, without const. No function that is bound changes it.
+// Returns a shape in the form in which pybind11 holds it, without const. No bound function changes it.
 inline std::shared_ptr<MeshShape> to_python(const std::shared_ptr<const ecods::Shape>& shape) {
     return std::const_pointer_cast<MeshShape>(std::static_pointer_cast<const MeshShape>(shape));
 }
 
-// A shape of any class that Python has.
+// An AnyShape is a shape of any class that Python has.
 using AnyShape = std::variant<std::shared_ptr<MeshShape>, std::shared_ptr<Rounded>, std::shared_ptr<HalfSpace>>;
 
 inline AnyShape to_any_shape(const std::shared_ptr<const ecods::Shape>& shape) {
@@ -50,7 +51,8 @@ inline std::string pose_text(const char* name, const Pose& pose) {
     return std::string(name) + "=" + std::string(py::repr(rows[py::slice(0, 3, 1)]));
 }
 
-// Returns the posed mesh with its shape as a Solid or a ConvexSolid, `Shape`. Throws TypeError if the shape is not one.
+// Returns the posed mesh with its shape as a `Shape`, which is Solid or ConvexSolid. Throws TypeError if the shape is
+// not one.
 template <class Shape>
 Posed<Shape> as(const PosedMesh& posed, const char* argument) {
     auto solid = std::dynamic_pointer_cast<const Shape>(posed.kept);
@@ -70,7 +72,7 @@ void copies_are_itself(Type& type) {
         "__deepcopy__", [](py::object self, const py::dict&) { return self; }, py::arg("memo"));
 }
 
-// Returns a function that asks for bounds of the distance of two bodies, with the numbers of a DistanceTolerance.
+// Returns a function that returns bounds of the distance of two bodies, given the numbers of a DistanceTolerance.
 template <class A, class B>
 auto asked_for_distance_bounds() {
     return [](const A& a, const B& b, double relative, double absolute, double most, PairWitness* known) {
@@ -79,8 +81,8 @@ auto asked_for_distance_bounds() {
     };
 }
 
-// Binds what shapes without triangles have in common with their posed class: `name` is the class, `text(shape)` writes
-// a shape.
+// Binds the methods that shapes without triangles and their posed classes share. `name` is the name of the class, and
+// text(shape) writes a shape.
 template <class Thing, class Text>
 void add_posed(py::class_<Posed<Thing>>& posed, py::class_<Thing, std::shared_ptr<Thing>>& type,
                const std::string& name, Text text) {

@@ -11,8 +11,8 @@
 
 namespace ecods::python {
 
-// Runs tasks on the calling thread and on count - 1 other threads, which wait for work in between. In a forked process,
-// which does not have the other threads, the calling thread runs all tasks.
+// Runs tasks on the calling thread and on count - 1 other threads, which wait for work in between. A forked process
+// does not have the other threads, so there the calling thread runs all tasks.
 class Threads final : public Executor {
   public:
     explicit Threads(std::size_t count);

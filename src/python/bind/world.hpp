@@ -1,4 +1,4 @@
-// Defines a world as Python holds it: calls from several threads wait for each other if they must.
+// Defines a world as Python holds it, which makes calls from several threads wait for each other if they must.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -54,7 +54,7 @@ class SharedWorld {
 
   private:
     mutable std::shared_mutex mutex_;
-    std::unique_ptr<std::ostream> trace_;  // declared before the world, which may write to it in its destructor
+    std::unique_ptr<std::ostream> trace_;  // declared before the world, whose destructor may write to it
     const BroadPhaseKind broad_phase_;
     const std::size_t threads_;
     World world_;
@@ -75,7 +75,7 @@ auto reading(Result (World::*call)(Given...) const) {
     };
 }
 
-// Holds what a question is about: a body of the world, or a posed shape.
+// A Subject is what a question is about: a body of the world, or a posed shape.
 using Subject = std::variant<BodyId, PosedMesh, PosedRounded, PosedHalfSpace>;
 
 inline Asked to_asked(const Subject& subject, const std::optional<CollisionFilter>& filter = {}) {
@@ -83,8 +83,8 @@ inline Asked to_asked(const Subject& subject, const std::optional<CollisionFilte
     return filter ? Asked(std::move(asked), *filter) : asked;
 }
 
-// Return functions for pybind11 to bind: asked_of_world() a function that asks question(world, given...), and
-// asked_of_pair() a function that asks question(world, a, b, given...) about two subjects.
+// Return functions for pybind11 to bind. The function of asked_of_world() returns question(world, given...). The
+// function of asked_of_pair() returns question(world, a, b, given...) for two subjects.
 template <class... Given, class Question>
 auto asked_of_world(Question question) {
     return [question](const SharedWorld& self, const Given&... given) {

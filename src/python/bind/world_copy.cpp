@@ -1,5 +1,5 @@
-// Binds the copying and pickling of World. The state of a world is data from which calls make the world again, with the
-// same ids.
+// Binds the copying and pickling of World. The state of a world is data from which calls make the same world again,
+// with the same ids.
 #include <array>
 #include <map>
 
@@ -13,7 +13,7 @@ constexpr int state_version = 2;
 
 using Numbers = py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>;
 
-// Holds the present state of a world; lists by body are in the order of `bodies`.
+// A Scene holds the present state of a world; lists by body are in the order of `bodies`.
 struct Scene {
     std::vector<BodyId> bodies;
     std::vector<BodyId> next_ids;

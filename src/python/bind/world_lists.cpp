@@ -4,7 +4,7 @@
 namespace ecods::python {
 namespace {
 
-// Binds a method that returns a list of pairs as an array of ids (k, 2). The array is a copy, since the world's own
+// Binds a method that returns a list of pairs as an array of ids (k, 2). The array is a copy, because the world's own
 // list changes with the world.
 template <class List>
 void add_list(WorldClass& type, const char* name, List list, const char* doc) {
