@@ -22,8 +22,8 @@ def _as_convex(vertices, faces):
 def as_mesh(mesh: Any) -> Any:
     """Returns the body of a Mesh, an object with `vertices` and `faces`, or a tuple of the two. Raises TypeError.
 
-    It is a ConvexSolid if the object says that it `is_convex`, and bounds a solid; what was no Mesh before is a surface
-    otherwise.
+    If the object is not a Mesh, the body is a ConvexSolid if the object says that it `is_convex` and bounds a solid;
+    otherwise it is a surface.
     """
     if isinstance(mesh, _ecods.Mesh):
         return mesh
@@ -43,13 +43,13 @@ def _text_of(data, **numbers):
 
 
 def _faces(names, a, b):
-    """Returns the face that each feature is of, by name; None for a point inside a solid, which is on no feature."""
+    """Returns the face of each feature, by name; None for a point inside a solid, which is on no feature."""
     return {name: None if feature.kind == _ecods.FeatureKind.none else feature.triangle
             for name, feature in zip(names, (a, b))}
 
 
 def _signed_distance(a, b):
-    """Returns the SignedDistance of two posed ConvexSolids; None of others, and where a pose is singular."""
+    """Returns the SignedDistance of two posed ConvexSolids; None for other bodies, and if a pose is singular."""
     if a.mesh.form != _ecods.MeshForm.convex or b.mesh.form != _ecods.MeshForm.convex:
         return None
     try:
@@ -59,13 +59,14 @@ def _signed_distance(a, b):
 
 
 class ContactData:
-    """Two bodies that share a point: of two ConvexSolids one contact, of others each pair of triangles that share one.
+    """A contact of two bodies that share a point. Two ConvexSolids have one contact; other bodies have one for each pair
+    of triangles that share a point.
 
-    point: (3,) float; of two ConvexSolids the middle of the two points of their SignedDistance, which the shortest
-    translation brings together; otherwise a point that both share: the lexicographically least corner of what two
-    triangles share, or where no triangles do, a corner of what is inside. normal: (3,) float, the direction of the depth;
-    of two triangles the unit normal that a face or two edges define there; NaN if there is none. depth: the exact depth
-    of two ConvexSolids in each other; otherwise NaN.
+    point: (3,) float. For two ConvexSolids it is the middle of the two points of their SignedDistance, which the shortest
+    translation brings together. Otherwise it is a point that both share: the lexicographically least corner of the set
+    that two triangles share, or, if no two triangles share a point, a corner of the part that is inside. normal: (3,)
+    float, the direction of the depth; for two triangles the unit normal that a face or two edges define there; NaN if
+    there is none. depth: the exact depth of two ConvexSolids in each other; otherwise NaN.
     """
 
     def __init__(self, names, faces, point, normal, depth):
@@ -86,8 +87,8 @@ class ContactData:
 class DistanceData:
     """Two points of two bodies, and their signed distance: negative is how deep two ConvexSolids are in each other.
 
-    The points are the closest ones. Of two ConvexSolids that share a point they are the two that the shortest translation
-    brings together. Of other bodies that do, both are one point that they share.
+    The points are the closest ones. If two ConvexSolids share a point, they are the two points that the shortest
+    translation brings together. If other bodies share a point, both are one shared point.
     """
 
     def __init__(self, names, a, b):
@@ -139,12 +140,12 @@ class CollisionManager:
     """Named bodies: which collide, and how far are they apart, or how deep in each other?
 
     The methods have the names and arguments of trimesh.collision.CollisionManager. A mesh that says that it `is_convex`,
-    as a watertight convex mesh of trimesh does, is a ConvexSolid; if rounding has left a dent, its convex hull is. Other
-    meshes are surfaces; an ecods.Solid is a solid, too. What is inside a solid collides with it, and touching counts.
+    as a watertight convex mesh of trimesh does, becomes a ConvexSolid; if rounding has left a dent, its convex hull does.
+    Other meshes are surfaces; an ecods.Solid is a solid, too. A body inside a solid collides with it, and touching counts.
     Answers are exact, and a distance is the true one, rounded once: infinity if there is nothing to measure to; 0 if two
-    bodies share a point, but minus their depth if both are ConvexSolids. Of several distances the least is given. Pass an
-    ecods.Mesh or ecods.ConvexSolid in place of another object if you ask about it again: it is then made once. Names are
-    any hashable values. Copies and pickles work as those of a World.
+    bodies share a point, but minus their depth if both are ConvexSolids. If there are several distances, the least is
+    given. To ask about an object again, pass an ecods.Mesh or ecods.ConvexSolid in its place, which is made only once.
+    Names are any hashable values. Copies and pickles work as those of a World.
     """
 
     def __init__(self, threads: int = 1) -> None:
@@ -226,9 +227,9 @@ class CollisionManager:
         return _answer(len(names) > 0, (return_names, names), (return_data, data))
 
     def _nearest(self, what, limit=math.inf):
-        """Returns the least signed distance within the limit of a posed body from an object, and its body; or None.
+        """Returns the least signed distance, within the limit, of a posed body from an object, and that body; or None.
 
-        Of equal ones the least body.
+        If distances are equal, the least body is returned.
         """
         nearest = self._world.nearest(what, max_distance=max(limit, 0.0))
         if nearest is None or nearest.distance > 0:

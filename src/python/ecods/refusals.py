@@ -45,7 +45,7 @@ def is_number(value):
 
 
 def alternatives(kind):
-    """Returns the kinds that a Union names; otherwise the kind alone."""
+    """Returns the kinds in a Union; for any other kind, the kind alone."""
     return split(kind[len("Union["):-1]) if kind.startswith("Union[") else [kind]
 
 

@@ -1,1 +1,1 @@
-"""Modules that answer the calls of other libraries, so that programs written for these run on ECoDS."""
+"""Modules that answer the calls of other libraries, so that programs written for those libraries run on ECoDS."""

@@ -1,8 +1,8 @@
 """Posed bodies, and questions about two of them.
 
-A body is a tuple of posed shapes, and is what all of them share: one shape, or the half spaces on both sides of a plane.
-A connected set meets a plane exactly if it meets both half spaces; so an object that is not connected is several bodies
-for a plane.
+A body is a tuple of posed shapes, and stands for their intersection: one shape, or the half spaces on both sides of a
+plane. A connected set meets a plane exactly if it meets both half spaces; so beside a plane, an object that is not
+connected counts as several bodies.
 """
 from typing import Any, List, NamedTuple, Optional, Tuple
 
@@ -38,7 +38,7 @@ def is_mesh(thing: CollisionObject) -> bool:
 
 
 def sides_of(thing: CollisionObject) -> Tuple[Any, ...]:
-    """Returns the shapes that an object is the intersection of. Raises ValueError if its model is not finished."""
+    """Returns the shapes whose intersection is the object. Raises ValueError if its model is not finished."""
     shape = thing._geometry.shape
     if shape is None:
         raise ValueError(f"{thing._geometry!r} has no shape: endModel() has not been called")
@@ -46,7 +46,7 @@ def sides_of(thing: CollisionObject) -> Tuple[Any, ...]:
 
 
 def body_of(thing: CollisionObject) -> Body:
-    """Returns the body that an object is, which is kept with the object until this changes."""
+    """Returns the body of an object. The body is stored with the object until the object changes."""
     version = thing._version
     if thing._body is None or thing._body[0] != version:
         thing._body = version, tuple(side.at(thing._pose) for side in sides_of(thing))
@@ -77,7 +77,7 @@ def _bodies_for(thing: CollisionObject, other: CollisionObject) -> List[Body]:
 
 
 def bodies_of(o1: CollisionObject, o2: CollisionObject) -> List[Tuple[Body, Body]]:
-    """Returns pairs of bodies; the objects meet if one of the pairs does, and their distance is the least one."""
+    """Returns pairs of bodies. The objects meet if the bodies of a pair meet; their distance is the least of the pairs."""
     return [(a, b) for a in _bodies_for(o1, o2) for b in _bodies_for(o2, o1)]
 
 
@@ -86,7 +86,7 @@ def is_half_space(body: Body) -> bool:
 
 
 def _sides(a: Body, b: Body) -> List[Tuple[Any, Any]]:
-    """Returns all pairs of sides, half spaces second, as the library's questions take them."""
+    """Returns all pairs of sides, with half spaces second, as the library's questions require."""
     pairs = [(x, y) for x in a for y in b]
     return [(y, x) for x, y in pairs] if is_half_space(a) else pairs
 
@@ -113,12 +113,12 @@ def nearest(a: Body, b: Body) -> Measure:
 
 
 def signed(a: Body, b: Body) -> Optional[Measure]:
-    """Returns the signed distance of two convex bodies, or of a body and half spaces; None where there is none."""
+    """Returns the signed distance of two convex bodies, or of a body and half spaces; None if they have none."""
     if is_half_space(a):
         other = None if is_half_space(b) else signed(b, a)
         return other and other.swapped()
     try:
-        # The shortest way to one side of a plane is the shortest way out of one of its half spaces.
+        # The shortest translation to one side of a plane is the shortest one out of one of its half spaces.
         found = max((_ecods.signed_distance(*pair) for pair in _sides(a, b)), key=lambda each: each.distance)
     except (_ecods.NotSupported, _ecods.SingularPose):
         return None
@@ -140,14 +140,14 @@ def _time(x: Any, end_x: np.ndarray, y: Any, end_y: np.ndarray) -> Optional[floa
         motion = (end_x - x.pose)[:3, 3] - (end_y - y.pose)[:3, 3]
         contact = _ecods.cast(shapes[0].at(x.pose), motion, shapes[1].at(y.pose))
         return None if contact is None else contact.time
-    # A world knows both ways, so that no difference of translations is rounded.
+    # A world takes both motions, so no difference of translations is rounded.
     world = _ecods.World()
     met = world.meetings([world.create_body(shape, each.pose) for shape, each in zip(shapes, (x, y))], [end_x, end_y])
     return met[0].contact.time if met else None
 
 
 def first_time(a: Body, end_a: np.ndarray, b: Body, end_b: np.ndarray) -> Optional[float]:
-    """Returns the time, from 0 to 1, at which two bodies on straight ways to these poses first meet; None if they do not.
+    """Returns the time, from 0 to 1, at which two bodies on straight paths to these poses first meet; None if they do not.
 
     A body that is apart from a plane is in one of its half spaces, and meets the plane when it meets the other one.
     """

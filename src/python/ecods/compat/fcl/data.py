@@ -43,10 +43,10 @@ class _Record:
 class Contact(_Record):
     """A point at which two geometries meet.
 
-    o1, o2: the geometries of the first and the second object. b1, b2: the triangles that meet, of meshes; otherwise -1.
-    Only if the request has enable_contact: normal, the unit vector from o1 to o2 along which o2 would have to move to
-    part them; penetration_depth, how far, 0 if they touch; pos, the middle of the two points that this move brings
-    together. Of a mesh they are those of the triangle, not of the whole mesh.
+    o1, o2: the geometries of the first and the second object. b1, b2: the triangles that meet, for meshes; otherwise -1.
+    The following are set only if the request has enable_contact. normal: the unit vector from o1 to o2 along which o2
+    would have to move to part them; penetration_depth: how far it would have to move, 0 if they touch; pos: the middle of
+    the two points that this move brings together. For a mesh these are those of the triangle, not of the mesh.
     """
 
     def __init__(self) -> None:
@@ -87,7 +87,7 @@ class CollisionRequest(_Record):
 
 
 class CollisionResult(_Record):
-    """What collide() found: is_collision, and a list of Contact. Each further call with it adds to what it has."""
+    """What collide() found: is_collision, and a list of Contact. Each further call with it adds contacts."""
 
     def __init__(self, is_collision: bool = False) -> None:
         self.is_collision = is_collision
@@ -129,7 +129,7 @@ class DistanceRequest(_Record):
 class DistanceResult(_Record):
     """The least distance that distance() found, over all calls with this result.
 
-    o1, o2: the geometries. b1, b2: their triangles, of meshes; otherwise -1. nearest_points: a point of each, in the
+    o1, o2: the geometries. b1, b2: their triangles, for meshes; otherwise -1. nearest_points: a point of each, in the
     world's coordinates; None unless the request has enable_nearest_points.
     """
 

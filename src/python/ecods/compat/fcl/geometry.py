@@ -10,7 +10,7 @@ from .data import NODE_TYPE
 
 
 def box_of(shape: Any, pose: Optional[np.ndarray]) -> np.ndarray:
-    """Returns a box (2, 3) around a shape, or around what two half spaces share. Its ends may be infinite."""
+    """Returns a box (2, 3) around a shape, or around the intersection of two half spaces. Its ends may be infinite."""
     if not isinstance(shape, tuple):
         return shape.box(pose)
     boxes = np.array([side.box(pose) for side in shape])
@@ -18,7 +18,7 @@ def box_of(shape: Any, pose: Optional[np.ndarray]) -> np.ndarray:
 
 
 class PolytopeWarning(UserWarning):
-    """A polytope that contains a curved body stands for it. The text says how far it reaches beyond the body."""
+    """Warns that a polytope around a curved body stands for the body. The text says how far it reaches beyond the body."""
 
 
 class CollisionGeometry:
@@ -34,7 +34,7 @@ class CollisionGeometry:
 
     @property
     def shape(self) -> Any:
-        """The ecods.ConvexSolid, Rounded, Mesh or HalfSpace that answers; two half spaces of a Plane; None if there is none."""
+        """The ecods.ConvexSolid, Rounded, Mesh or HalfSpace of the geometry; two half spaces of a Plane; None if it has none."""
         return self._shape
 
     @property
@@ -47,7 +47,7 @@ class CollisionGeometry:
         return 0.5 * low + 0.5 * high
 
     def getNodeType(self) -> Optional[NODE_TYPE]:
-        """Returns the class of the geometry; None of a CollisionGeometry."""
+        """Returns the class of the geometry; None for a CollisionGeometry."""
         return self._node_type
 
     def computeLocalAABB(self) -> None:
@@ -59,7 +59,7 @@ def _copied(value: Any) -> Any:
 
 
 def _value(name: str, text: str) -> Any:
-    """Makes a property of a number of a geometry; setting it makes another shape, or raises and changes nothing."""
+    """Makes a property for a number of a geometry. Setting it makes another shape, or raises and changes nothing."""
 
     def get(self: "_Numbers") -> Any:
         return _copied(self._values[name])
@@ -90,7 +90,7 @@ class _Numbers(CollisionGeometry):
 
 
 class TriangleP(_Numbers):
-    """A triangle of three points (3,). One without area is the segment or the point that it spans."""
+    """A triangle of three points (3,). A triangle without area is the segment or the point that it spans."""
     _node_type = NODE_TYPE.GEOM_TRIANGLE
     a = _value("a", "The first corner (3,).")
     b = _value("b", "The second corner (3,).")
@@ -145,7 +145,7 @@ class Capsule(_Numbers):
 
 
 class _Curved(_Numbers):
-    """A geometry that a polytope which contains it stands for."""
+    """A geometry that is represented by a polytope which contains it."""
     deviation: float
 
     def _assign(self, **values: Any) -> None:
@@ -173,7 +173,7 @@ class _Around(_Curved):
 
 
 class Cylinder(_Around):
-    """A prism around a cylinder along z, centered at the origin; so what it is apart from, the cylinder is apart from.
+    """A prism around a cylinder along z, centered at the origin. An object that is apart from it is apart from the cylinder.
 
     `sides` is not an argument of python-fcl's: the prism's number of sides, from 3 to 16384. deviation: no point of the
     prism is farther from the cylinder, 0.12 % of the radius with 64 sides. Issues a PolytopeWarning. Raises
@@ -228,7 +228,7 @@ class Halfspace(_Flat):
 
 
 class Plane(_Flat):
-    """The points x with n . x = d, as what the half spaces on both sides share. Raises InvalidArgument."""
+    """The points x with n . x = d, as the intersection of the half spaces on both sides. Raises InvalidArgument."""
     _node_type = NODE_TYPE.GEOM_PLANE
 
     def _build(self, n: Any, d: float) -> Any:
@@ -236,7 +236,7 @@ class Plane(_Flat):
 
 
 def _triangles_of(num_faces: int, faces: Any) -> np.ndarray:
-    """Returns triangles (m, 3) of polygons, each of which is its number of corners and then their indices."""
+    """Returns triangles (m, 3) of polygons. Each polygon is given as its number of corners, followed by their indices."""
     numbers = np.asarray(faces).ravel()
     if numbers.dtype.kind not in "iu":
         whole = numbers.astype(np.int64)
@@ -261,7 +261,7 @@ class Convex(CollisionGeometry):
     """The convex polytope of these vertices (n, 3): their hull.
 
     faces: for each of the num_faces polygons its number of corners, and then their indices. If they bound a convex
-    solid that all vertices are corners of, the shape has its triangles; otherwise, as by rounding, the hull's. Raises
+    solid with all vertices as corners, the shape has its triangles; otherwise, e.g. after rounding, those of the hull. Raises
     ValueError for bad lists; InvalidMesh, NotSolid.
     """
     _node_type = NODE_TYPE.GEOM_CONVEX

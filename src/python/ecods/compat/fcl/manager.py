@@ -22,7 +22,7 @@ def _box(thing: CollisionObject) -> np.ndarray:
 
 
 def _answer(pair: Any) -> Tuple[bool, float]:
-    """Returns what a callback of distance() returned, with infinity for FCL's greatest number."""
+    """Returns the result of a callback of distance(), with FCL's greatest number replaced by infinity."""
     is_pair = isinstance(pair, tuple) and len(pair) == 2 and is_number(pair[1])
     if not is_pair or math.isnan(pair[1]):
         raise TypeError(f"DynamicAABBTreeCollisionManager.distance: the callback returned {describe(pair)}; a pair of a bool "
@@ -35,7 +35,8 @@ class DynamicAABBTreeCollisionManager:
 
     collide() and distance() take (data, callback), for all pairs of this manager's objects; (object, data, callback), for
     the pairs with an object, other than itself; or (manager, data, callback), for the pairs with another manager's objects.
-    The callback gets two objects, this manager's first, and the data; it adds and removes none. What it raises is passed on.
+    The callback gets two objects, this manager's first, and the data. It must add and remove no objects. Its exceptions are
+    passed on.
     """
 
     def __init__(self) -> None:
@@ -58,8 +59,8 @@ class DynamicAABBTreeCollisionManager:
         return f"<DynamicAABBTreeCollisionManager of {self.size()} objects>"
 
     def registerObjects(self, other_objs: Iterable[CollisionObject]) -> None:
-        """Adds objects. One that is here already stays. Raises TypeError, or ValueError for a model that has not ended, and
-        then adds none.
+        """Adds objects; an object that was added before stays. Raises TypeError, or ValueError for a model that has not
+        ended; then no object is added.
         """
         objects = list(other_objs)
         for thing in objects:
@@ -69,12 +70,12 @@ class DynamicAABBTreeCollisionManager:
             self._register(thing)
 
     def registerObject(self, obj: CollisionObject) -> None:
-        """Adds an object. One that is here already stays. Raises TypeError."""
+        """Adds an object; an object that was added before stays. Raises TypeError."""
         self._check_object("registerObject", obj)
         self._register(obj)
 
     def unregisterObject(self, obj: CollisionObject) -> None:
-        """Removes an object, if it is here."""
+        """Removes an object, if it was added."""
         proxy = self._proxies.pop(id(obj), None)
         if proxy is None:
             return
@@ -83,11 +84,11 @@ class DynamicAABBTreeCollisionManager:
         heapq.heappush(self._free, proxy)
 
     def setup(self) -> None:
-        """Brings the boxes up to date, which every question does, too."""
+        """Brings the boxes up to date; every question does so, too."""
         self._synchronize()
 
     def update(self, arg: Any = None) -> None:
-        """Brings the boxes up to date, which every question does, too. Raises TypeError if arg has no objects."""
+        """Brings the boxes up to date; every question does so, too. Raises TypeError if arg has no objects."""
         for thing in [] if arg is None else arg if hasattr(arg, "__len__") else [arg]:
             self._check_object("update", thing)
         self._synchronize()
@@ -117,9 +118,9 @@ class DynamicAABBTreeCollisionManager:
                 return
 
     def distance(self, *args: Any) -> None:
-        """Calls callback(o1, o2, data), which returns a pair: True to stop, and a distance that is to be undercut.
+        """Calls callback(o1, o2, data), which returns a pair: True to stop, and a distance.
 
-        Pairs whose boxes are at least that far apart are left out; for each object, near boxes come first. See the class.
+        Leaves out pairs whose boxes are at least this distance apart. Near boxes come first for each object. See the class.
         """
         other, data, callback = self._arguments("distance", args)
         limit = math.inf
@@ -162,7 +163,7 @@ class DynamicAABBTreeCollisionManager:
         self._objects[proxy], self._proxies[id(thing)], self._versions[proxy] = thing, proxy, thing._version
 
     def _synchronize(self) -> None:
-        """Gives the broad phase the boxes of objects that changed since it got them."""
+        """Updates the broad phase with the boxes of objects that have changed."""
         for proxy, thing in self._objects.items():
             if thing._version != self._versions[proxy]:
                 self._boxes[proxy] = _box(thing)
@@ -202,7 +203,7 @@ class DynamicAABBTreeCollisionManager:
         """Returns lower bounds of distances from a box, ascending, with their objects: all that are less than the limit."""
         if limit <= 0:
             return iter(())
-        # Rounding is monotonic: a distance that is rounded to less than the limit belongs to a gap that is, too, and its
+        # Rounding is monotonic: if a rounded distance is less than the limit, so is the real gap, and its
         # box reaches into the grown one.
         with np.errstate(over="ignore"):
             grown = np.array([box[0] - limit, box[1] + limit])

@@ -11,7 +11,7 @@ EMPTY, BEGUN, PROCESSED = range(3)
 
 
 class BVHModel(CollisionGeometry):
-    """A triangle mesh, which is a surface: what is inside of it does not touch it. A model of vertices alone is a cloud.
+    """A triangle mesh, which is a surface: an object inside does not touch it. A model of vertices alone is a cloud.
 
     beginModel(), then addSubModel(), addTriangle() and addVertex(), then endModel(). Raises ValueError for other orders.
     """
@@ -36,13 +36,13 @@ class BVHModel(CollisionGeometry):
         return self._state
 
     def beginModel(self, num_tris_: int = 0, num_vertices_: int = 0) -> int:
-        """Begins a model, or begins again: what there was is dropped. Returns 0. The numbers change nothing."""
+        """Begins a model; vertices and triangles added before are dropped. Returns 0. The arguments change nothing."""
         self._state, self._triangle_count, self._parts, self._pieces, self._shape = BEGUN, 0, [], [], None
         self._changes += 1
         return 0
 
     def addVertex(self, x: float, y: float, z: float) -> bool:
-        """Adds a vertex, which no triangle has. Returns True."""
+        """Adds a vertex that belongs to no triangle. Returns True."""
         return self._add("addVertex", [[x, y, z]], np.empty((0, 3), dtype=np.int64))
 
     def addTriangle(self, v1: Any, v2: Any, v3: Any) -> bool:
@@ -54,7 +54,7 @@ class BVHModel(CollisionGeometry):
         return self._add("addSubModel", verts, triangles)
 
     def endModel(self) -> int:
-        """Ends the model, which can be asked about from now on. Returns 0. Raises ValueError if it is empty."""
+        """Ends the model; questions may use it from now on. Returns 0. Raises ValueError if it is empty."""
         self._check_is_begun("endModel")
         if not self._parts:
             raise ValueError("BVHModel.endModel: the model has no triangles and no vertices")
@@ -93,7 +93,7 @@ class BVHModel(CollisionGeometry):
 
 
 def _connected(vertex_count: int, faces: np.ndarray) -> np.ndarray:
-    """Returns for each vertex a number that vertices share if triangles connect them: union-find."""
+    """Returns, by vertex, the number of its connected component, by union-find over the triangles."""
     parent: Dict[int, int] = {}
 
     def root(i: int) -> int:

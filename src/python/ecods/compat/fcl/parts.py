@@ -37,7 +37,7 @@ def _may_meet(thing: CollisionObject, box: np.ndarray) -> np.ndarray:
         reach = 16 * u * (abs(mesh.vertices) @ abs(matrix).T + abs(t)) + 16 * 2.0**-1074
         low = (points - reach)[mesh.faces].min(axis=1)
         high = (points + reach)[mesh.faces].max(axis=1)
-    # A NaN, after an overflow, compares as False, so that its triangle is kept.
+    # A comparison with NaN, after an overflow, is False, so its triangle is kept.
     return np.flatnonzero(~((low > box[1]) | (high < box[0])).any(axis=1))
 
 
@@ -48,14 +48,14 @@ def _triangle(thing: CollisionObject, triangle: int) -> Body:
 
 
 def _named_part(o1: CollisionObject, o2: CollisionObject, triangles: Tuple[int, int]) -> Part:
-    """Returns the part of two objects with these triangles, of those that are meshes."""
+    """Returns the part of two objects: for an object that is a mesh, this triangle; otherwise the whole object."""
     of = [(_triangle(thing, i), i) if is_mesh(thing) else (body_of(thing), NO_TRIANGLE)
           for thing, i in zip((o1, o2), triangles)]
     return Part(of[0][0], of[1][0], of[0][1], of[1][1])
 
 
 def _triangles_in(mesh: CollisionObject, other: CollisionObject) -> Iterator[Part]:
-    """Yields the triangles of a mesh that meet an object which is none."""
+    """Yields the triangles of a mesh that meet an object which is no mesh."""
     body = body_of(other)
     for i in _may_meet(mesh, box_of(other._geometry.shape, other._pose)).tolist():
         part = Part(_triangle(mesh, i), body, i)
@@ -73,7 +73,7 @@ def _all_parts(o1: CollisionObject, o2: CollisionObject) -> Iterator[Part]:
 
 
 def meeting_parts(o1: CollisionObject, o2: CollisionObject, limit: Optional[int] = None) -> List[Part]:
-    """Returns the parts of two objects that meet, at most so many: triangles of meshes, ascending; otherwise whole objects.
+    """Returns the parts of two objects that meet, up to a limit: triangles of meshes, ascending; otherwise whole objects.
 
     A mesh and a half space meet as wholes; so do a plane and each connected part of a mesh.
     """
@@ -90,7 +90,7 @@ def meeting_parts(o1: CollisionObject, o2: CollisionObject, limit: Optional[int]
 
 
 def measured(part: Part) -> Optional[Measure]:
-    """Returns the signed distance of a part, with the triangles of meshes; None where there is none."""
+    """Returns the signed distance of a part, with the triangles of meshes; None if the part has none."""
     found = signed(part.a, part.b)
     if found is None:
         return None
@@ -107,7 +107,7 @@ def _deepest(o1: CollisionObject, o2: CollisionObject) -> Optional[Measure]:
 
 
 def measure(o1: CollisionObject, o2: CollisionObject, is_signed: bool) -> Measure:
-    """Returns the distance of two objects; if they share inner points, what distance() says."""
+    """Returns the distance of two objects; if they share inner points, the number that distance() promises."""
     least = min((nearest(a, b) for a, b in bodies_of(o1, o2)), key=lambda each: each.distance)
     if least.distance > 0 or is_mesh(o1) and is_mesh(o2):
         return least

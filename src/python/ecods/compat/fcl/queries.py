@@ -44,12 +44,12 @@ def collide(o1: CollisionObject, o2: CollisionObject, request: Optional[Collisio
             result: Optional[CollisionResult] = None) -> int:
     """Returns the number of contacts of two objects, at most request.num_max_contacts, and adds them to the result.
 
-    It is 0 exactly if the objects share no point: touching counts. Two shapes have one contact (FCL gives up to eight
-    of two boxes); a mesh has one for each of its triangles that meets the other object, or for each pair of triangles of
-    two meshes; but one with a half space. Contacts are as Contact says; o1 and o2 are in the order of the arguments
-    (FCL may swap a mesh to the front). Where the library has no depth, normal and depth are NaN, and pos is a common point,
-    or NaN of two half spaces. Raises NotImplementedError for request.enable_cost, and ValueError if num_max_contacts is not
-    positive: FCL then says that nothing collides.
+    The number is 0 exactly if the objects share no point: touching counts. Two shapes have one contact (FCL returns up to
+    eight for two boxes). A mesh has one for each of its triangles that meets the other object, two meshes one for each
+    pair of triangles; a mesh and a half space have one. Contacts are as Contact says; o1 and o2 are in the order of the
+    arguments (FCL may swap a mesh to the front). Where the library has no depth, normal and depth are NaN, and pos is a
+    common point; for two half spaces it is NaN. Raises NotImplementedError for request.enable_cost, and ValueError if
+    num_max_contacts is not positive: FCL then says that nothing collides.
     """
     _check("collide", o1=(o1, CollisionObject), o2=(o2, CollisionObject))
     request = CollisionRequest() if request is None else request
@@ -69,11 +69,11 @@ def distance(o1: CollisionObject, o2: CollisionObject, request: Optional[Distanc
              result: Optional[DistanceResult] = None) -> float:
     """Returns the distance of two objects, and stores it in the result if it is less than what the result has.
 
-    It is the true number, rounded once; 0 if the objects touch, and of two meshes also if they cross. Other objects that
-    share inner points have the distance -1; with request.enable_signed_distance, minus their depth, which is the length of
-    the shortest translation that parts them: of a mesh that of its deepest triangle, so that the whole mesh may have to
-    move further. It stays -1 of two half spaces or planes, and where the library has no number for the depth.
-    (Of a mesh and a shape, FCL returns -1 and stores minus the depth of one triangle.)
+    It is the true number, rounded once. It is 0 if the objects touch, and for two meshes also if they cross. Other objects
+    that share inner points have the distance -1; with request.enable_signed_distance, minus their depth, which is the
+    length of the shortest translation that parts them. For a mesh it is the depth of its deepest triangle, so the whole
+    mesh may have to move further. The distance stays -1 for two half spaces or planes, and where the library has no number
+    for the depth. (For a mesh and a shape, FCL returns -1 and stores minus the depth of one triangle.)
     """
     _check("distance", o1=(o1, CollisionObject), o2=(o2, CollisionObject))
     request = DistanceRequest() if request is None else request
@@ -101,10 +101,10 @@ def _end(thing: CollisionObject, tf: Transform, motion: int) -> np.ndarray:
 def continuousCollide(o1: CollisionObject, tf1_end: Transform, o2: CollisionObject, tf2_end: Transform,
                       request: Optional[ContinuousCollisionRequest] = None,
                       result: Optional[ContinuousCollisionResult] = None) -> float:
-    """Returns the time from 0 to 1 at which two objects first meet that are translated to the places of these transforms.
+    """Returns the time from 0 to 1 at which two objects first meet while they are translated to the given transforms.
 
-    It is the true time, rounded once; 0 if they meet at the start, 1.0 if they never do: the result says which. (Where
-    an object is a Sphere or a Capsule, the difference of the two ways is rounded to doubles before.) With CCDM_TRANS,
+    It is the true time, rounded once; 0 if they meet at the start, 1.0 if they never meet: the result says which. (If an
+    object is a Sphere or a Capsule, the difference of the two translations is first rounded to doubles.) With CCDM_TRANS,
     the default, an object keeps its rotation, whatever the transform has, as in FCL. Raises NotImplementedError for
     rotations (CCDM_LINEAR, CCDM_SCREW), for CCDM_SPLINE, and where the library has no times.
     (FCL's default solver misses contacts: two unit boxes, of which one passes through the other, never meet there.)
@@ -128,7 +128,7 @@ def continuousCollide(o1: CollisionObject, tf1_end: Transform, o2: CollisionObje
 def defaultCollisionCallback(o1: CollisionObject, o2: CollisionObject, cdata: CollisionData) -> bool:
     """Calls collide() with cdata.request and cdata.result. Returns True, for the manager to stop, once cdata.done is True.
 
-    It becomes True, as in python-fcl, when the result has more contacts than the request's num_max_contacts.
+    As in python-fcl, cdata.done becomes True when the result has more contacts than the request's num_max_contacts.
     """
     if not cdata.done:
         collide(o1, o2, cdata.request, cdata.result)
@@ -138,10 +138,10 @@ def defaultCollisionCallback(o1: CollisionObject, o2: CollisionObject, cdata: Co
 
 
 def defaultDistanceCallback(o1: CollisionObject, o2: CollisionObject, cdata: DistanceData) -> Tuple[bool, float]:
-    """Calls distance() with cdata.request and cdata.result. Returns True once no less distance is wanted, and the least one.
+    """Calls distance() with cdata.request and cdata.result. Returns whether the manager may stop, and the least distance.
 
-    That is, as in python-fcl, when two objects meet, or when cdata.done is True. So of objects that meet, the first two
-    that are found are measured, which need not be the deepest; a callback that returns (False, math.inf) sees all pairs.
+    As in python-fcl, it may stop when two objects meet, or when cdata.done is True. So if objects meet, the first two that
+    are found are measured, which need not be the deepest; a callback that returns (False, math.inf) sees all pairs.
     """
     if not cdata.done:
         distance(o1, o2, cdata.request, cdata.result)
