@@ -116,8 +116,8 @@ class ECODS_API QueryMemory {
 
 // A witness remembers what decided the last question about a pair of bodies: two triangles, or a separating axis. The
 // next question tries the witness first, exactly, and then stores its own witness there. No answer depends on a
-// witness, whatever it holds, and from whichever question and bodies it is. A new witness is empty. (Bullet, Box3D:
-// manifold or simplex cache.)
+// witness, even if it is from another question or other bodies. A new witness is empty. (Bullet, Box3D: manifold or
+// simplex cache.)
 struct PairWitness {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 

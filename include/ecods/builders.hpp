@@ -60,7 +60,7 @@ inline constexpr std::uint32_t max_subdivisions = 6;
 [[nodiscard]] ECODS_API Circumscribed cylinder(double radius, double height, std::uint32_t sides);
 
 // Returns a pyramid around the cone with its apex at z = height / 2 and its disc at z = -height / 2. `sides` and the
-// deviation are as for a cylinder. The apex is that of the cone.
+// deviation are as for a cylinder. The apex of the pyramid is the apex of the cone.
 [[nodiscard]] ECODS_API Circumscribed cone(double radius, double height, std::uint32_t sides);
 
 // Returns a polytope around the ellipsoid whose half axes are `radii`; equal radii make a ball. (The exact ball is the

@@ -9,12 +9,13 @@
 // A certificate names a mesh by a digest (SHA-256); nobody can make a second mesh with the same digest. It proves
 // something about your mesh if it names your mesh's digest: that of certified_mesh_digest(), or of your mesh file.
 //
-// The claim is the answer of the plain question (intersection.hpp, distance.hpp, hit.hpp) about surfaces, for all
-// finite poses and zero-area triangles. So the claim depends on the bits of meshes and poses alone. For a solid the
-// functions throw NotSupported, since a proof is about triangles; ask about surface_of(solid). The proof may differ
-// between floating-point environments, and is valid in each. A pose must be finite (validate(Pose)).
+// The claim is the answer that the function without certificate (intersection.hpp, distance.hpp, hit.hpp) gives about
+// surfaces, for all finite poses and zero-area triangles. So the claim depends on the bits of meshes and poses alone.
+// For a solid the functions throw NotSupported, since a proof is about triangles; ask about surface_of(solid). The
+// proof may differ between floating-point environments, and is valid in each. A pose must be finite (validate(Pose)).
 //
-// Cost: that of the plain question, and a second walk that costs about as much. The text is made when it is requested.
+// Cost: that of the function without certificate, and a second walk that costs about as much. The text is made when it
+// is requested.
 //
 // Thread safety: as in intersection.hpp.
 //

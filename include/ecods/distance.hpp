@@ -76,7 +76,7 @@ namespace ecods {
 struct DistanceTolerance {
     double relative = 0;
     double absolute = 0;
-    // Distances above this need not be distinguished.
+    // If the distance is above max_distance, a lower bound above max_distance suffices.
     double max_distance = std::numeric_limits<double>::infinity();
 };
 

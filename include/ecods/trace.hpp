@@ -1,24 +1,24 @@
 // A trace records the calls that changed a World, and replay() runs them again. A bug report is a file.
 //
 // World::trace_to starts the record, with the bodies that are in the world at that moment. From then on every call that
-// changed something is written, one line each, in the order of the calls; a call that threw is not, as it changed
-// nothing. Numbers are written without loss. The text, version 2:
+// changed something is written, one line each, in the order of the calls. A call that threw changed nothing and is not
+// written. Numbers are written without loss. The text, version 2:
 //
 //     ecods-trace 2
 //     world sweep_and_prune 0                   broad phase; places for bodies that were used before
 //     mesh 1 4 2                                number, vertices, triangles; then these:
 //     v 0x0p+0 0x1.8p+1 -0x1p-1074
 //     t 0 1 2
-//     solid 3 4 4                               as a mesh, of which the shape is a Solid
+//     solid 3 4 4                               written as a mesh; the shape is a Solid
 //     convex 4 4 4                              the same, a ConvexSolid
 //     half_space 5 0x0p+0 0x0p+0 0x1p+0 0x0p+0  number, normal, offset
-//     shape 2 7 any text                        number, kind, and what the caller's writer said
+//     shape 2 7 any text                        number, kind, and the text that the caller's writer returned
 //     rounded 6 4 0x1p-1                        number, number of the core, radius
 //     create 1.0 1 R R R t R R R t R R R t      body, mesh or shape, pose: [R t] row by row, hexadecimal
 //     create_with 2.0 1 R ... t 1 f 2a          the same; then groups, mask and user data, hexadecimal
 //     destroy 1.0
 //     set_pose 1.0 R R R t R R R t R R R t
-//     set_poses 2                               then so many lines: p, body, pose
+//     set_poses 2                               number of lines p that follow: p, body, pose
 //     p 1.0 R R R t R R R t R R R t
 //     set_shape 1.0 2
 //     set_filter 1.0 1 ffffffffffffffff         groups, mask; hexadecimal
@@ -35,7 +35,7 @@
 //     first_hit_of_ray 0123456789abcdef O O O D D D inf none
 //     all_hits, all_hits_of_ray                        the same
 //     cast 0123456789abcdef 1.0 M M M 0x1p+0           body, motion, limit of time
-//     meetings 0123456789abcdef 2                      then so many lines p, as of set_poses
+//     meetings 0123456789abcdef 2                      number of lines p that follow, as for set_poses
 //     nearest 0123456789abcdef 1.0 inf                 body, limit of distance
 //     closest_pair 0123456789abcdef inf
 //     closest_pair_of 0123456789abcdef inf 1 2         limit of distance, groups; hexadecimal

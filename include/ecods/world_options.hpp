@@ -22,8 +22,8 @@
 
 namespace ecods {
 
-// An Executor gives the library the caller's threads by two functions: a thread pool, a task system or OpenMP fits in a
-// few lines. The library starts no thread. Between two calls of the library, an executor may serve other users.
+// An Executor runs the library's tasks in the caller's threads: those of a thread pool, a task system or OpenMP. The
+// library starts no thread. Between two calls of the library, an executor may serve other users.
 class ECODS_API Executor {
   public:
     virtual ~Executor() = default;

@@ -13,10 +13,10 @@ namespace {
 // Returns an upper bound of the distance of the vertex from the center.
 //
 // Derivation, with u' = two_u. A difference is computed with a relative error of u', and the vertex is off by at most
-// `error` on each axis: |difference| (1 + 2 u') + error is an upper bound of the true one but for two roundings. So a
-// square is low by five roundings, the sum of three by seven, the root by half of that and one, and the last product by
-// one more: a factor of less than (1 - u')^-6 < 1 + 16 u'. Underflow loses at most 2^-1022 in each square, less than
-// 2^-510 in the root, which the added 2^-509 covers.
+// `error` on each axis: |difference| (1 + 2 u') + error, but for two roundings, is an upper bound of the true
+// difference. So a square is low by five roundings, the sum of three by seven, the root by half of that and one, and
+// the last product by one more: a factor of less than (1 - u')^-6 < 1 + 16 u'. Underflow loses at most 2^-1022 in each
+// square, less than 2^-510 in the root, which the added 2^-509 covers.
 // Claim: verify/proofs/small_bounds.py
 double reach_of(const RoundedVertex& vertex, const exact::Point& center) noexcept {
     double sum = 0;

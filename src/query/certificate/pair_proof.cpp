@@ -209,7 +209,7 @@ bool PairProof::visit(const NodePair& top) {
         } else {
             const auto before = static_cast<std::ptrdiff_t>(stack_.size());
             push_children(top, y, x, left, [&](const NodePair& children, const auto&) { stack_.push_back(children); });
-            std::reverse(stack_.begin() + before, stack_.end());  // so that the first pair is opened next
+            std::reverse(stack_.begin() + before, stack_.end());  // a proof opens the first next
         }
         return true;
     });
