@@ -34,7 +34,7 @@ namespace ecods {
 // a box of each, and a ray for each connected part that has a vertex in the other's box.
 [[nodiscard]] ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
-// Returns how the first body is to the second.
+// Returns the relation of the first body to the second.
 //
 // Two surfaces are apart, touching or crossing: the strongest relation of any triangle of a and any triangle of b. The
 // search stops at the first crossing. A surface and a solid are apart; or touching, if the surface has no point inside

@@ -160,7 +160,7 @@ ECODS_API void check_solid(const Mesh& mesh);
 // distance of two convex solids is found by a search of its own, faster than the search of triangles; and two of them
 // have a depth (solid.hpp).
 //
-// A mesh covers a convex polygon if its triangles of positive area, in any orientation, tile one edge to edge: each of
+// A mesh covers a convex polygon if its triangles of positive area, in any orientation, tile it edge to edge: each of
 // their sides is a side of exactly one other triangle, or lies on the border. Triangles of zero area are left out. A
 // mesh without a triangle of positive area covers a segment, if its triangles are pieces of the segment that leave no
 // gap, or a point. Both cases are decided exactly; other meshes in one plane are no convex solids.
@@ -168,7 +168,7 @@ ECODS_API void check_solid(const Mesh& mesh);
 // A flat solid has no inner points. In every question it is the closed set: a body inside it shares points with it. Its
 // relation to a solid is that of a surface: inside, touching, also in a face, or crossing, and never overlapping. Its
 // relation to another flat solid or to a surface is that of two triangles, as if the polygon was one triangle; at a
-// singular pose, that of its triangles.
+// singular pose, it is that of its triangles.
 //
 // Cost: that of Solid, and an exact sign for each edge. Memory: that of a Solid, about 200 bytes for each vertex of the
 // set, and 4 bytes for each vertex of the mesh.

@@ -60,7 +60,7 @@ class SharedWorld {
     World world_;
 };
 
-// Return functions for pybind11 to bind that make a call of World: changing() for a call that changes the world,
+// Return functions that pybind11 can bind and that make a call of World: changing() for a call that changes the world,
 // reading() for a call that only reads.
 template <class Result, class... Given>
 auto changing(Result (World::*call)(Given...)) {

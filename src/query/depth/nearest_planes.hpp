@@ -13,12 +13,11 @@
 // d around the origin, since no face enters this ball. Points around which a surface winds are in the hull of its
 // corners, and so in M. Hence the origin is in M, and no plane of a face of M is nearer than d.
 //
-// Now suppose that F is a face of M whose plane is at distance d and is none of (2). Let x be the point of that plane
-// nearest to the origin, or if d = 0 a point inside F as close to the origin as needed. Then x is on the border of M.
-// But x is strictly on the inner side of every face of S, or in the closed ball and not on S: faces of (1) are further
-// away; and a plane of (2) that contains x contains it on the border of M, where this plane touches the ball, too, and
-// so is the plane of F. So S winds around a neighborhood of x, which then is in M: x is not on the border of M, a
-// contradiction.
+// Now suppose that F is a face of M whose plane is at distance d and is not among the planes of (2). Let x be the point
+// of that plane nearest to the origin, or if d = 0 a point inside F as close to the origin as needed. Then x is on the
+// border of M. But x is strictly on the inner side of every face of S, or in the closed ball and not on S: faces of (1)
+// are further away; and a plane of (2) that contains x touches M there, and the ball if d > 0, so it is the plane of F.
+// So S winds around a neighborhood of x, which then is in M: x is not on the border of M, a contradiction.
 #pragma once
 
 #include <optional>

@@ -15,7 +15,7 @@ SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSo
     return depths::signed_distance(a, b, {}, ask);
 }
 
-// Searches for the distance first. For solids that are apart, this answers; for others, the failed search costs little.
+// Searches for the distance first. It is the answer for solids that are apart; for others, the search costs little.
 SignedDistance depths::signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                        const exact::Radii& radii, const Ask& ask) {
     Asking asking(ask);
