@@ -92,18 +92,17 @@ std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Targets& targets,
     return result;
 }
 
-// Asks about each line, all in one memory. So a trace has none of these questions: it has only questions without a
+// Asks about each line. A trace holds each line as a question of its own, as it does for one line: if `ask` has no
 // memory.
 template <class SegmentOrRay>
 BodyHitLists find_lists(const World& world, std::span<const SegmentOrRay> lines,
                         const std::optional<CollisionFilter>& filter, const Ask& ask) {
     validate_all(lines);
-    Asking asking(ask);
     BodyHitLists lists;
     lists.first.reserve(lines.size() + 1);
     lists.first.push_back(0);
     for (const SegmentOrRay& line : lines) {
-        const std::vector<BodyHit> hits = world.all_hits(line, filter, asking.memory());
+        const std::vector<BodyHit> hits = world.all_hits(line, filter, ask);
         lists.hits.insert(lists.hits.end(), hits.begin(), hits.end());
         lists.first.push_back(lists.hits.size());
     }
@@ -140,10 +139,12 @@ std::vector<BodyHit> World::all_hits(const Ray& ray, std::optional<CollisionFilt
 
 BodyHitLists World::all_hits(std::span<const Segment> segments, std::optional<CollisionFilter> filter,
                              const Ask& ask) const {
+    impl();  // throws MovedFromWorld, even if there is no line
     return find_lists(*this, segments, filter, ask);
 }
 
 BodyHitLists World::all_hits(std::span<const Ray> rays, std::optional<CollisionFilter> filter, const Ask& ask) const {
+    impl();
     return find_lists(*this, rays, filter, ask);
 }
 

@@ -87,6 +87,26 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     }
 }
 
+// Hits of many lines are a question for each line.
+TEST(TraceQuestions, HitsOfManyLinesAreWrittenLineByLine) {
+    World world;
+    world.create_body(scenes::cube(0.5), at(0));
+    std::stringstream trace;
+    world.trace_to(trace, {.questions = true});
+    const std::vector<Segment> segments(3, {Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)});
+    EXPECT_EQ(world.all_hits(segments).hits.size(), 6u);
+    const std::vector<Ray> rays(2, {.origin = Vec3(9, 0, 0), .direction = Vec3(-1, 0, 0)});
+    EXPECT_EQ(world.all_hits(rays).hits.size(), 4u);
+    QueryMemory memory;
+    EXPECT_EQ(world.all_hits(rays, {}, memory).hits.size(), 4u);
+    world.end_trace();
+    EXPECT_EQ(count_of("\nall_hits ", trace.str()), 3u);
+    EXPECT_EQ(count_of("\nall_hits_of_ray ", trace.str()), 2u);
+    const ReplayReport report = replay(trace);
+    EXPECT_FALSE(report.difference);
+    EXPECT_EQ(report.question_count, 5u);
+}
+
 // Each of the lines with another digest is named.
 TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
     const std::string text = traced({.questions = true});
