@@ -14,11 +14,6 @@
 namespace ecods::judge {
 namespace {
 
-oracle::TurningSoup turning_soup(const Turning<MeshShape>& a) {
-    const auto& [w, x, y, z] = a.turn.q;
-    return {soup<MeshShape>({*a.what, a.pose}), {w, x, y, z}, a.turn.pivot_from, a.turn.pivot_to};
-}
-
 using Fractions = std::array<mpq_class, 3>;
 using Rows = std::array<Fractions, 3>;
 
@@ -81,6 +76,11 @@ std::optional<std::array<Pose, 2>> poses_at(const Turning<MeshShape>& a, const P
 std::string text(const Turn& turn) {
     return fmt::format("({:a}, {:a}, {:a}, {:a}) about {} to {}", turn.q.w, turn.q.x, turn.q.y, turn.q.z,
                        text(turn.pivot_from), text(turn.pivot_to));
+}
+
+oracle::TurningSoup turning_soup(const Turning<MeshShape>& a) {
+    const auto& [w, x, y, z] = a.turn.q;
+    return {soup<MeshShape>({*a.what, a.pose}), {w, x, y, z}, a.turn.pivot_from, a.turn.pivot_to};
 }
 
 TurnTruth::TurnTruth(const Turning<MeshShape>& a, const Posed<MeshShape>& b, int samples)

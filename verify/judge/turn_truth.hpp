@@ -16,6 +16,9 @@ namespace ecods::judge {
 // In hexadecimal floats.
 std::string text(const Turn& turn);
 
+// The body as the oracle takes it.
+oracle::TurningSoup turning_soup(const Turning<MeshShape>& a);
+
 // Has what is true of a body that turns, as CastTruth has it of other motions. If the pivot stays, the other body
 // turns, too, the other way round: in space as the first one sees it.
 class TurnTruth : public WayTruth {

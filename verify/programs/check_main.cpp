@@ -184,12 +184,15 @@ int run(int argc, char** argv) {
         ->type_name("D");
     app.add_flag(
         "--moves", options.questions.has_moves,
-        "Also list, at each frame of a scene, the pairs of bodies that meet on the straight way from the frame "
-        "before, and at which time from 0 to 1");
+        "Also list, at each frame of a scene, the pairs of bodies that meet on the way from the frame before, and at "
+        "which time from 0 to 1. The way is straight, or a \"turn\", of which the angle is listed, too, in degrees (as "
+        "JSON also in radians). A body that turns is listed first. Beside it, others rest or make the same turn");
     app.add_flag(
         "--casts", options.questions.has_casts,
-        "Also say of each body with a \"motion\" (in a scene file, or in the extras of a glTF node) which body "
-        "it meets first when it is translated by that, and at which time from 0 to 1");
+        "Also say of each body with a \"motion\" (in a scene file, or in the extras of a glTF node) or a \"turn\" (in "
+        "a "
+        "scene file) which body it meets first when it is translated by that, or makes that turn, and at which time "
+        "from 0 to 1");
     add_rays(app, options.questions.rays);
     app.add_flag("--solids", options.questions.has_solids,
                  "Take bodies of which the mesh bounds a solid for solids, what is inside included, in every answer: "

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,9 @@
 
 namespace ecods::oracle {
 class MeshDistances;
-}
+struct Soup;
+struct TurningSoup;
+}  // namespace ecods::oracle
 
 namespace ecods::check {
 
@@ -31,8 +34,9 @@ struct OracleReport {
 // relation and, of two surfaces, its complete list of triangle pairs. For the broad phase: the box of every body that
 // moved, and that the overlapping pairs are those of all pairs of boxes. Distances that the answer has, with their
 // points; and with a clearance, for every pair of bodies whether it is listed as close; with moves, whether it meets on
-// the way, and with casts what each body with a motion meets; and everything that rays hit: these of surfaces alone.
-// Work of the oracle is kept for pairs of surfaces of which neither body moved, but for distances, moves and rays.
+// the way, and with casts what each body with a motion or a turn meets; and everything that rays hit: these of surfaces
+// alone. Work of the oracle is kept for pairs of surfaces of which neither body moved, but for distances, moves and
+// rays.
 class OracleJudge {
   public:
     explicit OracleJudge(const scenes::Scene& scene);
@@ -53,6 +57,11 @@ class OracleJudge {
     void check_distance(const oracle::MeshDistances& exact, const FrameAnswer& answer, const DistanceAnswer& pair);
     void check_close(const SceneWorld& world, const FrameAnswer& answer);
     void check_meetings(const SceneWorld& world, const FrameAnswer& answer);
+    void check_meeting(const SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b);
+    std::optional<FirstContact> exact_cast(const SceneWorld& world, const FrameAnswer& answer, std::size_t a,
+                                           std::size_t b);
+    std::optional<FirstContact> exact_turn(const FrameAnswer& answer, const oracle::TurningSoup& a,
+                                           const oracle::Soup& b, const std::string& bodies);
     void check_casts(const SceneWorld& world, const FrameAnswer& answer);
     void check_hits(const SceneWorld& world, const FrameAnswer& answer);
     void differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text);

@@ -7,49 +7,93 @@
 #include "check_oracle.hpp"
 #include "judge/cast_truth.hpp"
 #include "judge/text.hpp"
+#include "judge/turn_truth.hpp"
 #include "oracle/first_contact.hpp"
+#include "oracle/turn_subdivision.hpp"
 
 namespace ecods::check {
+namespace {
+
+// First times of turns of so few pairs of triangles are proven a second time, by pieces of the time.
+constexpr std::size_t proven_pairs_max = 64;
+
+std::optional<MeetingAnswer> find(const std::vector<MeetingAnswer>& list, std::size_t a, std::optional<std::size_t> b) {
+    const auto listed =
+        std::ranges::find_if(list, [&](const MeetingAnswer& pair) { return pair.a == a && (!b || pair.b == *b); });
+    return listed == list.end() ? std::nullopt : std::optional(*listed);
+}
+
+std::optional<FirstContact> contact_of(const std::optional<MeetingAnswer>& listed) {
+    return listed ? std::optional(listed->contact) : std::nullopt;
+}
+
+}  // namespace
 
 void OracleJudge::check_meetings(const SceneWorld& world, const FrameAnswer& answer) {
     if (answer.frame == 0) return;
     for (std::size_t a = 0; a < scene_.bodies.size(); ++a) {
         for (std::size_t b = a + 1; b < scene_.bodies.size(); ++b) {
-            ++report_.moves;
-            const auto way_of = [&](std::size_t body) {
-                oracle::Soup before = judge::soup(world.posed(body));
-                before.pose = world.pose_before(body);
-                return oracle::MovingSoup{before, world.pose(body)};
-            };
-            const auto exact = judge::to_first_contact(oracle::first_contact(way_of(a), way_of(b)));
-            const auto listed = std::ranges::find_if(
-                answer.meetings, [&](const MeetingAnswer& pair) { return pair.a == a && pair.b == b; });
-            const auto found = listed == answer.meetings.end() ? std::nullopt : std::optional(listed->contact);
-            if (judge::is_same(found, exact)) continue;
-            differ(answer, scene_.bodies[a].name + ", " + scene_.bodies[b].name,
-                   fmt::format("on the way {}, but exactly {}", judge::text(found), judge::text(exact)));
+            const bool is_turned_second = !world.turn(a) && world.turn(b);
+            is_turned_second ? check_meeting(world, answer, b, a) : check_meeting(world, answer, a, b);
         }
     }
 }
 
+// Two bodies that make the same turn are taken to rest: no other two that move are asked about if one turns.
+void OracleJudge::check_meeting(const SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b) {
+    ++report_.moves;
+    const std::string bodies = scene_.bodies[a].name + ", " + scene_.bodies[b].name;
+    const auto before = [&](std::size_t body) {
+        return judge::soup<MeshShape>({*world.posed(body).what, world.pose_before(body)});
+    };
+    const auto way_of = [&](std::size_t body) {
+        return oracle::MovingSoup{before(body), world.turn(body) ? world.pose_before(body) : world.pose(body)};
+    };
+    const bool is_turn = world.turn(a) && !world.turn(b);
+    const auto exact =
+        is_turn ? exact_turn(answer, judge::turning_soup({*world.posed(a).what, world.pose_before(a), *world.turn(a)}),
+                             before(b), bodies)
+                : judge::to_first_contact(oracle::first_contact(way_of(a), way_of(b)));
+    const auto found = contact_of(find(answer.meetings, a, b));
+    if (judge::is_same(found, exact)) return;
+    differ(answer, bodies, fmt::format("on the way {}, but exactly {}", judge::text(found), judge::text(exact)));
+}
+
+std::optional<FirstContact> OracleJudge::exact_turn(const FrameAnswer& answer, const oracle::TurningSoup& a,
+                                                    const oracle::Soup& b, const std::string& bodies) {
+    const auto exact = oracle::first_contact(a, b);
+    const bool is_proven = a.from.triangles.size() * b.triangles.size() <= proven_pairs_max;
+    const auto against = is_proven ? oracle::contradiction(a, b, exact) : std::nullopt;
+    if (against) differ(answer, bodies, "the oracle contradicts itself: " + *against);
+    return judge::to_first_contact(exact);
+}
+
+// What body a with a motion or a turn exactly meets of body b.
+std::optional<FirstContact> OracleJudge::exact_cast(const SceneWorld& world, const FrameAnswer& answer, std::size_t a,
+                                                    std::size_t b) {
+    const scenes::SceneBody& body = scene_.bodies[a];
+    const Posed<MeshShape> start = world.posed(a);
+    const oracle::Soup other = judge::soup(world.posed(b));
+    if (body.motion) return judge::to_first_contact(oracle::first_contact(judge::soup(start), *body.motion, other));
+    return exact_turn(answer, judge::turning_soup({*start.what, start.pose, *body.turn}), other, body.name);
+}
+
 void OracleJudge::check_casts(const SceneWorld& world, const FrameAnswer& answer) {
     for (std::size_t a = 0; a < scene_.bodies.size(); ++a) {
-        if (!scene_.bodies[a].motion) continue;
+        if (!scene_.bodies[a].motion && !scene_.bodies[a].turn) continue;
         ++report_.moves;
         std::optional<FirstContact> first;
         std::size_t met = 0;
         for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
             if (b == a) continue;
-            const auto exact = judge::to_first_contact(oracle::first_contact(
-                judge::soup(world.posed(a)), *scene_.bodies[a].motion, judge::soup(world.posed(b))));
+            const auto exact = exact_cast(world, answer, a, b);
             if (!exact || (first && first->time <= exact->time)) continue;
             first = exact;
             met = b;
         }
-        const auto listed = std::ranges::find_if(answer.casts, [&](const MeetingAnswer& cast) { return cast.a == a; });
-        const bool is_listed = listed != answer.casts.end();
-        const auto found = is_listed ? std::optional(listed->contact) : std::nullopt;
-        if (judge::is_same(found, first) && (!is_listed || listed->b == met)) continue;
+        const auto listed = find(answer.casts, a, std::nullopt);
+        const auto found = contact_of(listed);
+        if (judge::is_same(found, first) && (!listed || listed->b == met)) continue;
         differ(answer, scene_.bodies[a].name,
                fmt::format("cast, {}, but exactly {}", judge::text(found), judge::text(first)));
     }

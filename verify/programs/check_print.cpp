@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <numbers>
 
 namespace ecods::check {
 
@@ -11,6 +12,10 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 }
 
 namespace {
+
+double in_degrees(double radians) {
+    return radians / std::numbers::pi * 180;
+}
 
 nlohmann::ordered_json to_json(const Vec3& v) {
     return {v[0], v[1], v[2]};
@@ -46,6 +51,8 @@ nlohmann::ordered_json to_json(const scenes::Scene& scene, const std::vector<Mee
                         {"kind", name_of(pair.contact.kind)},
                         {"triangle_a", triangle_of(pair.contact.a)},
                         {"triangle_b", triangle_of(pair.contact.b)}});
+        if (pair.angle) json.back()["angle"] = *pair.angle;
+        if (pair.angle) json.back()["degrees"] = in_degrees(*pair.angle);
     }
     return json;
 }
@@ -74,7 +81,8 @@ std::string triangle_text(const Feature& feature) {
 void print_meetings(std::FILE* out, const scenes::Scene& scene, const char* what,
                     const std::vector<MeetingAnswer>& pairs) {
     for (const MeetingAnswer& pair : pairs) {
-        fmt::print(out, "  {} at {}  {} | {}  ({}, triangles {} and {})\n", what, pair.contact.time,
+        fmt::print(out, "  {} at {}{}  {} | {}  ({}, triangles {} and {})\n", what, pair.contact.time,
+                   pair.angle ? fmt::format(" after {:.6g} degrees", in_degrees(*pair.angle)) : "",
                    scene.bodies[pair.a].name, scene.bodies[pair.b].name, name_of(pair.contact.kind),
                    triangle_text(pair.contact.a), triangle_text(pair.contact.b));
     }

@@ -65,31 +65,6 @@ bool SceneWorld::next_frame() {
     return true;
 }
 
-void SceneWorld::find_meetings(const scenes::Frame& frame) {
-    poses_before_.clear();
-    for (const BodyId body : ids_) poses_before_.push_back(world_.pose(body));
-    std::vector<BodyId> bodies;
-    std::vector<Pose> poses;
-    for (const scenes::Move& move : frame.moves) {
-        bodies.push_back(ids_[move.body_index]);
-        poses.push_back(move.pose);
-    }
-    meetings_.clear();
-    for (const Meeting& meeting : world_.meetings(bodies, poses)) {
-        meetings_.push_back({body_of(meeting.bodies.a), body_of(meeting.bodies.b), meeting.contact});
-    }
-}
-
-std::vector<MeetingAnswer> SceneWorld::casts() {
-    std::vector<MeetingAnswer> casts;
-    for (std::size_t body = 0; body < ids_.size(); ++body) {
-        if (!scene_.bodies[body].motion) continue;
-        const auto met = world_.cast(ids_[body], *scene_.bodies[body].motion);
-        if (met) casts.push_back({body, body_of(met->body), met->contact});
-    }
-    return casts;
-}
-
 std::vector<HitAnswer> SceneWorld::hits() {
     std::vector<HitAnswer> hits;
     for (std::size_t ray = 0; ray < questions_.rays.size(); ++ray) {

@@ -29,12 +29,13 @@ struct DistanceAnswer {
     ClosestPoints closest;
 };
 
-// Two bodies that meet on the way from the frame before, a < b; or the body a that is cast, and the first that it
-// meets.
+// Two bodies that meet on the way from the frame before, a < b, or a turns and b does not; or the body a that is cast,
+// and the first that it meets.
 struct MeetingAnswer {
     std::size_t a = 0;
     std::size_t b = 0;
     FirstContact contact;
+    std::optional<double> angle = {};  // in radians, by which a has turned, if it turns
 };
 
 // What the ray of this index in the questions hits.
@@ -100,8 +101,9 @@ class SceneWorld {
     Aabb box(std::size_t body) const { return world_.box(ids_[body]); }
     const SceneQuestions& questions() const noexcept { return questions_; }
 
-    // Where it was in the frame before; with moves, and from frame 1 on.
+    // Where it was in the frame before, and by which turn it left; with moves, and from frame 1 on.
     const Pose& pose_before(std::size_t body) const { return poses_before_[body]; }
+    const std::optional<Turn>& turn(std::size_t body) const { return turns_[body]; }
 
     // Why the body's mesh bounds no solid, in words; empty if it does. With solids only.
     const std::string& no_solid_since(std::size_t body) const {
@@ -117,8 +119,12 @@ class SceneWorld {
   private:
     std::size_t body_of(BodyId id) const;
     DistanceAnswer distance(std::size_t a, std::size_t b);
+    Posed<MeshShape> posed_before(std::size_t body) const;
     void find_meetings(const scenes::Frame& frame);
+    void find_turn_meetings();
+    std::optional<FirstContact> cast_of_turn(std::size_t a, std::size_t b);
     std::vector<MeetingAnswer> casts();
+    std::optional<MeetingAnswer> cast_turning(std::size_t body);
     std::vector<HitAnswer> hits();
     std::vector<std::shared_ptr<const MeshShape>> make_shapes();
     bool is_convex(BodyId body) const;
@@ -131,7 +137,8 @@ class SceneWorld {
     std::vector<BodyId> ids_;                  // by body; ascending, as they were created in order
     std::vector<std::string> no_solid_since_;  // by mesh
     std::vector<std::size_t> moved_;
-    std::vector<Pose> poses_before_;
+    std::vector<Pose> poses_before_, poses_after_;
+    std::vector<std::optional<Turn>> turns_;
     std::vector<MeetingAnswer> meetings_;  // on the way to this frame
     std::size_t frame_count_ = 0;          // frames gone to so far
 };

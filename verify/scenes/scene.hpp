@@ -19,18 +19,20 @@ struct NamedMesh {
     std::shared_ptr<const Mesh> mesh;  // never null
 };
 
-// A body at rest.
+// A body at rest. It has a motion or a turn by which it is to be cast, or neither.
 struct SceneBody {
     std::string name;            // for people; unique in scenes that were read from files
     std::size_t mesh_index = 0;  // in Scene::meshes
     Pose pose;
-    std::optional<Vec3> motion = {};  // by which it is to be cast
+    std::optional<Vec3> motion = {};
+    std::optional<Turn> turn = {};
 };
 
-// A body is given a new pose.
+// A body is given a new pose. It goes there straight, or by a turn, whose end is the pose but for its rounding.
 struct Move {
     std::size_t body_index = 0;  // in Scene::bodies
     Pose pose;
+    std::optional<Turn> turn = {};
 };
 
 // What changes with one step. Bodies that are not named stay where they are.

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <string_view>
 #include <utility>
+
+#include "ecods/error.hpp"
+#include "ecods/turn.hpp"
 
 namespace ecods::scenes {
 namespace {
@@ -141,6 +145,45 @@ Pose read_pose(const JsonPlace& place) {
     }
     if (const auto translation = place.find("t")) pose.t = translation->point();
     return pose;
+}
+
+namespace {
+
+// The angle in radians, which a turn about an axis says in one of two units.
+double read_angle(const JsonPlace& place) {
+    const auto angle = place.find("angle"), degrees = place.find("degrees");
+    if (angle.has_value() == degrees.has_value()) place.fail("one of \"q\", \"degrees\" and \"angle\" is expected");
+    return angle ? angle->number() : degrees->number() / 180 * std::numbers::pi;
+}
+
+Turn read_quaternion_turn(const JsonPlace& q, const Vec3& pivot) {
+    const auto parts = q.elements(4);
+    return {{parts[0].number(), parts[1].number(), parts[2].number(), parts[3].number()}, pivot, pivot};
+}
+
+Turn read_axis_turn(const JsonPlace& place, const Vec3& pivot) {
+    const Vec3 axis = place.at("axis").point();
+    return about(axis, read_angle(place), pivot);
+}
+
+}  // namespace
+
+Turn read_turn(const JsonPlace& place) {
+    const auto q = place.find("q"), pivot = place.find("pivot"), pivot_to = place.find("pivot_to");
+    if (q) {
+        place.check_keys({"q", "pivot", "pivot_to"});
+    } else {
+        place.check_keys({"axis", "degrees", "angle", "pivot", "pivot_to"});
+    }
+    const Vec3 at = pivot ? pivot->point() : Vec3(0, 0, 0);
+    try {
+        Turn turn = q ? read_quaternion_turn(*q, at) : read_axis_turn(place, at);
+        if (pivot_to) turn.pivot_to = pivot_to->point();
+        validate(turn);
+        return turn;
+    } catch (const InvalidArgument& error) {
+        place.fail(error.what());
+    }
 }
 
 std::shared_ptr<const Mesh> read_inline_mesh(const JsonPlace& place) {

@@ -59,6 +59,10 @@ std::shared_ptr<const Mesh> make_mesh(const JsonPlace& place, MeshSoup soup);
 // {"R": [[...], [...], [...]], "t": [...]}: three rows and a translation, each of which may be left out.
 Pose read_pose(const JsonPlace& place);
 
+// {"q": [w, x, y, z]} or {"axis": [x, y, z], "degrees": number}, of which "degrees" may be "angle", in radians. A
+// "pivot" that is left out is the origin, and a "pivot_to" the pivot: the body does not glide.
+Turn read_turn(const JsonPlace& place);
+
 // The mesh of "vertices": [[x, y, z], ...] and "triangles": [[i, j, k], ...] at the place.
 std::shared_ptr<const Mesh> read_inline_mesh(const JsonPlace& place);
 

@@ -39,7 +39,7 @@ void append(Scene& scene, Scene part) {
     if (scene.frames.size() < part.frames.size()) scene.frames.resize(part.frames.size());
     for (std::size_t i = 0; i < part.frames.size(); ++i) {
         for (const Move& move : part.frames[i].moves) {
-            scene.frames[i].moves.push_back({move.body_index + first_body, move.pose});
+            scene.frames[i].moves.push_back({move.body_index + first_body, move.pose, move.turn});
         }
     }
     for (std::string& note : part.notes) scene.notes.push_back(std::move(note));

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "ecods/error.hpp"
+#include "ecods/turn.hpp"
 #include "scenes/io/json_file.hpp"
 #include "scenes/io/json_place.hpp"
 #include "scenes/io/mesh_file.hpp"
@@ -55,17 +57,43 @@ class SceneMeshes {
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> files_;
 };
 
-Frame read_frame(const JsonPlace& place, const Names& bodies) {
+// A body turns from where the frame before leaves it.
+Move read_turning_move(const JsonPlace& place, std::size_t body, const Pose& from) {
+    const JsonPlace turn_place = place.at("turn");
+    const Turn turn = read_turn(turn_place);
+    try {
+        const Pose to = pose_at(from, turn, 1);
+        validate(to);
+        return {body, to, turn};
+    } catch (const InvalidArgument& error) {
+        turn_place.fail(fmt::format("the body ends where no double is: {}", error.what()));
+    }
+}
+
+// Leaves the poses of all bodies at the end of the frame in `poses`.
+Frame read_frame(const JsonPlace& place, const Names& bodies, std::vector<Pose>& poses) {
     place.check_keys({"moves"});
     Frame frame;
     std::set<std::size_t> moved;
     for (const JsonPlace& move : place.at("moves").elements()) {
-        move.check_keys({"body", "pose"});
+        move.check_keys({"body", "pose", "turn"});
+        const bool is_turn = move.find("turn").has_value();
+        if (is_turn && move.find("pose")) move.fail("a move has a \"pose\" or a \"turn\", not both");
         const std::size_t body = find_name(move.at("body"), bodies, "body");
         if (!moved.insert(body).second) move.fail("the body is moved twice in one frame");
-        frame.moves.push_back({body, read_pose(move.at("pose"))});
+        frame.moves.push_back(is_turn ? read_turning_move(move, body, poses[body])
+                                      : Move{body, read_pose(move.at("pose"))});
+        poses[body] = frame.moves.back().pose;
     }
     return frame;
+}
+
+std::vector<Frame> read_frames(const JsonPlace& place, const Names& names, const std::vector<SceneBody>& bodies) {
+    std::vector<Pose> poses;
+    for (const SceneBody& body : bodies) poses.push_back(body.pose);
+    std::vector<Frame> frames;
+    for (const JsonPlace& frame : place.elements()) frames.push_back(read_frame(frame, names, poses));
+    return frames;
 }
 
 }  // namespace
@@ -83,17 +111,17 @@ Scene read_scene_file(const std::filesystem::path& file, NamedFiles allowed) {
     }
     Names bodies;
     for (const JsonPlace& place : root.at("bodies").elements()) {
-        place.check_keys({"name", "mesh", "pose", "motion"});
+        place.check_keys({"name", "mesh", "pose", "motion", "turn"});
         SceneBody body;
         body.name = add_name(place, bodies);
         body.mesh_index = find_name(place.at("mesh"), meshes, "mesh");
         if (const auto pose = place.find("pose")) body.pose = read_pose(*pose);
         if (const auto motion = place.find("motion")) body.motion = motion->point();
+        if (const auto turn = place.find("turn")) body.turn = read_turn(*turn);
+        if (body.motion && body.turn) place.fail("a body has a \"motion\" or a \"turn\", not both");
         scene.bodies.push_back(std::move(body));
     }
-    if (const auto frames = root.find("frames")) {
-        for (const JsonPlace& frame : frames->elements()) scene.frames.push_back(read_frame(frame, bodies));
-    }
+    if (const auto frames = root.find("frames")) scene.frames = read_frames(*frames, bodies, scene.bodies);
     return scene;
 }
 

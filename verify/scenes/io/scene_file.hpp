@@ -14,16 +14,20 @@
 //       ],
 //       "frames": [
 //         { "moves": [ { "body": "box", "pose": { "t": [1, 2, 0.25] } } ] },
+//         { "moves": [ { "body": "box", "turn": { "axis": [0, 0, 1], "degrees": 30, "pivot": [1, 2, 0] } } ] },
 //         { "moves": [] }
 //       ]
 //     }
 //
 // A mesh comes from a file (all of its parts as one; named_file.hpp says which files) or is given inline. A pose maps v
 // to R v + t, R by rows; what is left out is the identity or zero. "frames" may be left out; the poses of "bodies" are
-// frame 0, and each frame moves some bodies and leaves the others where they are. A "motion" may be left out; it moves
-// nothing: a program may ask what the body would meet if it were translated by it, at any frame. Numbers become the
-// nearest doubles. Names are unique, and so are the keys of an object. Unknown keys are errors, but for those that
-// begin with "_", which are comments.
+// frame 0, and each frame moves some bodies and leaves the others where they are. A move has a pose, to which the body
+// goes straight, or a "turn" (include/ecods/turn.hpp), which it makes from where it is; it then is at the end of the
+// turn, each entry of its pose rounded once. A turn has "q": [w, x, y, z], of any length, or an "axis" and either
+// "degrees" or an "angle" in radians; a "pivot", in the coordinates of the scene; and where the pivot glides,
+// "pivot_to". A body may have a "motion" or a "turn" of its own, which moves nothing: a program may ask what the body
+// would meet if it made that, at any frame. Numbers become the nearest doubles. Names are unique, and so are the keys
+// of an object. Unknown keys are errors, but for those that begin with "_", which are comments.
 #pragma once
 
 #include <filesystem>
