@@ -69,27 +69,28 @@ struct BodyEntry {
     friend bool operator==(const BodyEntry&, const BodyEntry&) = default;
 };
 
-// Returns when a, translated by time times `motion`, first goes into b, which stays; nullopt if it does not before time
-// 1.
+// Returns when a, translated by time times `motion`, first goes into b, which stays; nullopt if it does not before
+// max_time, in real time. A max_time above 1 counts as 1.
 //
-// Two solids: the infimum of the times from 0 to 1 at which their interiors meet. They then meet at all times just
-// after it. Two surfaces: the first time before 1 at which a triangle of a goes properly into or through one of b: the
-// two share a point then, and not at time 0 alone; and seen along the motion, they overlap inside. So surfaces that lie
-// on each other at the start do not enter (a sheet has no side), but such that come to lie on each other do; and
-// whether a lone sheet that moves edge on enters another one may depend on how both are cut into triangles, if the
-// edge runs along a diagonal. Equal cubes, one on the other, pushed together, enter as solids, and do not as surfaces:
-// ask with mesh_of() where that is meant.
+// Two solids: the infimum of the times from 0 on at which their interiors meet. They then meet at all times just after
+// it; if they meet at the start, the time is 0, whatever max_time is. Two surfaces: the first time at which a triangle
+// of a goes properly into or through one of b: the two share a point then, and not at time 0 alone; and seen along the
+// motion, they overlap inside. So surfaces that lie on each other at the start do not enter (a sheet has no side), but
+// such that come to lie on each other do; and whether a lone sheet that moves edge on enters another one may depend on
+// how both are cut into triangles, if the edge runs along a diagonal. Equal cubes, one on the other, pushed together,
+// enter as solids, and do not as surfaces: ask with mesh_of() where that is meant.
 //
 // Rest is rarely exact: a body that is put down at a rounded translation is in the floor by an ulp half of the time,
 // and then enters at 0 whatever the direction; a direction made tangential in doubles goes into a tilted floor. So
 // let bodies stop at pose_before(), and keep a distance to tilted floors.
 //
-// Throws InvalidArgument if a coordinate of the motion is not finite; NotSupported for a solid and a surface, and if a
-// body is a flat solid or a solid at a singular pose. Neither starts from a witness nor leaves one. Cost: for solids
-// solid_relation() at the start; then about that of cast(), and one or two microseconds for each pair of triangles that
-// touches before something enters.
+// Throws InvalidArgument if a coordinate of the motion is not finite, or max_time is negative or NaN; NotSupported for
+// a solid and a surface, and if a body is a flat solid or a solid at a singular pose. Neither starts from a witness nor
+// leaves one. Cost: for solids solid_relation() at the start; then about that of cast(), and one or two microseconds
+// for each pair of triangles that touches before something enters.
 [[nodiscard]] ECODS_API std::optional<FirstEntry> entering(const Posed<MeshShape>& a, const Vec3& motion,
-                                                           const Posed<MeshShape>& b, const Ask& ask = {});
+                                                           const Posed<MeshShape>& b, double max_time = 1,
+                                                           const Ask& ask = {});
 
 // Returns a pose of doubles on the way of a, up to the time, at which it is proven that a is not in b: relation() says
 // that the bodies are apart or touch. The pose has the rotation of a; its translation is that of a point of the way,

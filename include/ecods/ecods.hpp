@@ -20,6 +20,8 @@
 //     find penetration, separation?                         signed_distance, depth, depth_bounds; within
 //     get contact points and normals?                       contact_patch (convex); intersections, close_features
 //     move a joint, turn a door, rigidly?                   about, between; cast of a turning body (turn.hpp)
+//     stop at a distance, land without touching?            cast_to_distance; entering, pose_before (cast.hpp)
+//     cast cloth, or a mesh that bends?                     Deforming (deforming.hpp)
 //     have a ground, a wall?                                HalfSpace (half_space.hpp)
 //     find what is inside what?                             relation; World::relations, bodies_containing
 //     ignore pairs?                                         CollisionFilter, World::set_pair_enabled
@@ -49,6 +51,8 @@
 #include "ecods/hit.hpp"              // what does a segment or a ray hit?
 #include "ecods/cast.hpp"             // when does a body on the move first meet another?
 #include "ecods/turn.hpp"             // when does a body that turns first meet another?
+#include "ecods/deforming.hpp"        // when does a mesh that deforms first meet another?
+#include "ecods/cast_to_distance.hpp" // when is a moving body first within a distance of another?
 #include "ecods/solid.hpp"            // what is inside what, and how deep?
 #include "ecods/half_space.hpp"       // a ground, a wall
 #include "ecods/contact.hpp"          // where do two convex bodies touch, and in which corners?

@@ -45,7 +45,7 @@ class RoundedTest final : public TwoBodyTest {
     }
     std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
                                      const Ask& ask) const override {
-        return pair_of(a, b).cast(motion, max_time, ask);
+        return pair_of(a, b).cast(motion, 0, max_time, ask);
     }
 
   private:

@@ -40,7 +40,7 @@ std::optional<BodyEntry> World::entering(const Asked& asked, const Vec3& motion,
     FirstEntry entry;
     w.broad_phase.visit_along(w.box_of(subject), motion, least.bound(), [&](ProxyIndex proxy) {
         if (w.passes_over(subject, proxy) || !least.reach(proxy)) return least.bound();
-        const auto found = ecods::entering(mover, motion, mesh_at(w.bodies[proxy].posed()), asking.memory());
+        const auto found = ecods::entering(mover, motion, mesh_at(w.bodies[proxy].posed()), 1, asking.memory());
         if (found && least.take(proxy, found->time)) entry = *found;
         return least.bound();
     });

@@ -148,9 +148,13 @@ std::optional<ExactContact> first_contact(const Soup& a, const Vec3& motion, con
 }
 
 std::optional<ExactContact> first_contact(const MovingSoup& a, const MovingSoup& b) {
+    return first_contact(DeformingSoup{a.from, {a.from.vertices, a.from.triangles, a.to}},
+                         DeformingSoup{b.from, {b.from.vertices, b.from.triangles, b.to}});
+}
+
+std::optional<ExactContact> first_contact(const DeformingSoup& a, const DeformingSoup& b) {
     const FloatEnvironment environment;
-    const std::array<Soup, 4> soups{a.from, Soup{a.from.vertices, a.from.triangles, a.to}, b.from,
-                                    Soup{b.from.vertices, b.from.triangles, b.to}};
+    const std::array<Soup, 4> soups{a.from, a.to, b.from, b.to};
     CommonIntegers common(soups);
     const MovingMesh of_a{a.from, common.points[0], common.points[1]}, of_b{b.from, common.points[2], common.points[3]};
     return first_of(pairs_of(of_a, of_b, make_motion));

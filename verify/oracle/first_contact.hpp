@@ -34,6 +34,12 @@ struct MovingSoup {
 };
 std::optional<ExactContact> first_contact(const MovingSoup& a, const MovingSoup& b);
 
+// A soup whose vertices go to those of another one with the same triangles.
+struct DeformingSoup {
+    Soup from, to;
+};
+std::optional<ExactContact> first_contact(const DeformingSoup& a, const DeformingSoup& b);
+
 // A soup that turns from its own pose, as include/ecods/turn.hpp says, by a quaternion w, x, y, z.
 struct TurningSoup {
     Soup from;

@@ -26,6 +26,8 @@ const std::map<std::string_view, std::string_view> header_rooms = {
     {"hit.hpp", "src/query/hit"},
     {"cast.hpp", "src/query/cast"},
     {"turn.hpp", "src/query/cast"},
+    {"deforming.hpp", "src/query/cast"},
+    {"cast_to_distance.hpp", "src/query/body"},
     {"solid.hpp", "src/query/solid"},
     {"half_space.hpp", "src/query/half_space"},
     {"contact.hpp", "src/query/patch"},

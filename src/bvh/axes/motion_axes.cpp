@@ -8,14 +8,14 @@
 namespace ecods {
 
 void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to) {
-    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) {
+    if (a.is_bounded() && b.is_bounded()) {
         return call_widest<ECODS_OF_EACH_SET(bind_motion_sets)>(sets_, a, b, d_from, d_to);
     }
     set_unbounded();
 }
 
 void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to, double margin) {
-    if (a.tree.frame.is_bounded && b.tree.frame.is_bounded) {
+    if (a.is_bounded() && b.is_bounded()) {
         return call_widest<ECODS_OF_EACH_SET(bind_near_motion_sets)>(sets_, a, b, d_from, d_to, margin);
     }
     set_unbounded();

@@ -7,7 +7,8 @@
 // positive at only one of the times, the boxes are apart from that time to the chord's zero. Several axes, each in both
 // directions, may leave no time at which the boxes can meet. Half-way between its poses a body is the mean of both, on
 // the same axes. So a chord is loose only by the angle by which a box turns times the size of the box, which is little
-// for small boxes.
+// for small boxes. All of this also holds for a mesh that deforms, whose corners move linearly: a node then has a box at
+// the start and another one at the end (NodeAtEnds).
 //
 // The sets of axes and their bounds are as in separating_axes.hpp. Each set exists twice, with the same axes: for the
 // poses at the start and at the end. Coordinates are relative to the first body's translation, which moves linearly,
@@ -23,12 +24,21 @@
 #include <cstdint>
 
 #include "bvh/axes/separating_axes.hpp"
+#include "bvh/tree/moving_tree.hpp"
 
 namespace ecods {
 
-// Refers to a tree and to the linear parts of the two poses between which it moves.
+// Refers to the frames of a tree at both ends of its motion, and to the linear parts of its poses there. Only a mesh
+// that deforms has two frames.
 struct MovingTree {
-    const MeshBvh& tree;
+    MovingTree(const MeshBvh& rigid, const Mat3& start, const Mat3& end) noexcept
+        : MovingTree(TreeAtEnds(rigid), start, end) {}
+    MovingTree(const TreeAtEnds& tree, const Mat3& start, const Mat3& end) noexcept
+        : frame_from(tree.start().frame), frame_to(tree.end().frame), from(start), to(end) {}
+
+    bool is_bounded() const noexcept { return frame_from.is_bounded && frame_to.is_bounded; }
+
+    const LocalFrame &frame_from, &frame_to;
     const Mat3& from;
     const Mat3& to;
 };
@@ -55,7 +65,7 @@ class MotionAxes {
 };
 
 // Returns a mask of the pairs of lanes that may meet at a time up to `limit`; bit 8 j + i is for lane i of x and lane j
-// of y. Sets `times` to lower bounds, not negative, of the times at which these pairs meet.
+// of y, which are NodeAtEnds. Sets `times` to lower bounds, not negative, of the times at which these pairs meet.
 template <class X, class Y>
 std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, const X& x, const Y& y,
                            LaneBounds& times) noexcept;

@@ -11,8 +11,8 @@ ECODS_ALWAYS_INLINE Matrix4 middle(const Edges& start, const Edges& end) noexcep
 ECODS_ALWAYS_INLINE std::array<Matrix4, 2> bind_sets(std::array<MotionSet, 2>& sets, const MovingTree& a,
                                                      const MovingTree& b, const Vec3& d_from,
                                                      const Vec3& d_to) noexcept {
-    const Edges a_from(a.tree.frame, a.from), a_to(a.tree.frame, a.to);
-    const Edges b_from(b.tree.frame, b.from), b_to(b.tree.frame, b.to);
+    const Edges a_from(a.frame_from, a.from), a_to(a.frame_to, a.to);
+    const Edges b_from(b.frame_from, b.from), b_to(b.frame_to, b.to);
     const Matrix4 a_middle = middle(a_from, a_to), b_middle = middle(b_from, b_to);
     const Double4 d0 = load3(d_from.data()), d1 = load3(d_to.data());
     const Matrix4 normals_a = axes_of(a_middle, b_middle), normals_b = axes_of(b_middle, a_middle);

@@ -30,10 +30,10 @@ struct MeetingMeasure : TimeMeasure {
         ProjectedLanes::Placed start, end;
     };
     template <class Node>
-    ECODS_ALWAYS_INLINE void put(std::size_t set, Projection AxisSet::*tree, const Node& node,
+    ECODS_ALWAYS_INLINE void put(std::size_t set, Projection AxisSet::*tree, const NodeAtEnds<Node>& node,
                                  Placed& placed) const noexcept {
-        place(sets[set].start.*tree, node, placed.start);
-        place(sets[set].end.*tree, node, placed.end);
+        place(sets[set].start.*tree, node.start, placed.start);
+        place(sets[set].end.*tree, node.end, placed.end);
     }
 
     ECODS_ALWAYS_INLINE Value start(const Value (&)[part_count], const Value (&)[part_count], std::size_t,

@@ -24,11 +24,11 @@ std::uint64_t meeting_mask(const std::array<MotionSet, 2>& sets, float limit, co
     return call_widest<ECODS_OF_EACH_SET(meeting_kernel<X, Y>)>(sets, limit, x, y, times);
 }
 
-#define ECODS_INSTANCE(X, Y)                                                                        \
-    template std::uint64_t swept_mask(const std::array<SweptSet, 2>&, float, const X&, const Y&,    \
-                                      LaneBounds&) noexcept;                                        \
-    template std::uint64_t meeting_mask(const std::array<MotionSet, 2>&, float, const X&, const Y&, \
-                                        LaneBounds&) noexcept;
+#define ECODS_INSTANCE(X, Y)                                                                          \
+    template std::uint64_t swept_mask(const std::array<SweptSet, 2>&, float, const X&, const Y&,      \
+                                      LaneBounds&) noexcept;                                          \
+    template std::uint64_t meeting_mask(const std::array<MotionSet, 2>&, float, const NodeAtEnds<X>&, \
+                                        const NodeAtEnds<Y>&, LaneBounds&) noexcept;
 ECODS_FOR_ALL_NODES(ECODS_INSTANCE)
 
 }  // namespace ecods

@@ -1,5 +1,6 @@
 #include "bvh/tree/frame_box.hpp"
 #include "bvh/tree/mesh_bvh.hpp"
+#include "bvh/tree/moving_tree.hpp"
 #include "bvh/tree/slabs.hpp"
 
 namespace ecods {
@@ -29,7 +30,7 @@ double tree_cost(const MeshBvh& tree) noexcept {
 
 // Computes boxes from the last node to the first. Parents come before their children, so each box is computed before it
 // is read.
-MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh) {
+MeshBvh with_other_vertices(const MeshBvh& tree, const Mesh& mesh) {
     MeshBvh result = tree;
     result.frame = refit_frame(tree.frame, mesh);
     std::vector<FrameBox> node_boxes(result.nodes.size()), leaf_boxes(result.leaves.size());
@@ -51,6 +52,11 @@ MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh) {
     }
     set_corners_and_slabs(result, mesh);
     set_root(result, box_at(result.root));
+    return result;
+}
+
+MeshBvh refit_mesh_bvh(const MeshBvh& tree, const Mesh& mesh) {
+    MeshBvh result = with_other_vertices(tree, mesh);
     // If boxes are infinite, the cost is NaN and the comparison false: then the tree is kept.
     if (tree_cost(result) > cost_growth_max * result.built_cost) return build_mesh_bvh(mesh, fit_frame(mesh));
     return result;

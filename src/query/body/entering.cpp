@@ -28,13 +28,14 @@ bool is_free(Relation relation) noexcept {
     return relation == Relation::apart || relation == Relation::touching;
 }
 
-std::optional<FirstEntry> of_solids(const PosedBody& a, const Vec3& motion, const PosedBody& b, QueryMemory& memory) {
+std::optional<FirstEntry> of_solids(const PosedBody& a, const Vec3& motion, const PosedBody& b, double end,
+                                    QueryMemory& memory) {
     const Posed<Solid> p = a.solid(), q = b.solid();
     const Relation at_start = as_part(memory, [&] { return relation(p, q, memory); });
     if (!is_free(at_start)) return FirstEntry{0, no_feature, no_feature};
     if (is_zero(motion)) return std::nullopt;
     SlidingSolids solids(p, motion, q);
-    const auto found = first_entry(solids.mesh(0), motion, solids.mesh(1), &solids, memory);
+    const auto found = first_entry(solids.mesh(0), motion, solids.mesh(1), end, &solids, memory);
     if (!found) return std::nullopt;
     return FirstEntry{found->time, face_of(solids.name(0, found->triangles.a)),
                       face_of(solids.name(1, found->triangles.b))};
@@ -43,14 +44,15 @@ std::optional<FirstEntry> of_solids(const PosedBody& a, const Vec3& motion, cons
 }  // namespace
 
 std::optional<FirstEntry> entering(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                                   const Ask& ask) {
+                                   double max_time, const Ask& ask) {
+    const double end = require_time(max_time);
     validate_motion(motion);
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
     return as_one_query(memory, [&]() -> std::optional<FirstEntry> {
         if (are_surfaces(*a.what, *b.what)) {
             if (is_zero(motion)) return std::nullopt;
-            const auto found = first_entry(a, motion, b, nullptr, memory);
+            const auto found = first_entry(a, motion, b, end, nullptr, memory);
             if (!found) return std::nullopt;
             return FirstEntry{found->time, face_of(found->triangles.a), face_of(found->triangles.b)};
         }
@@ -58,7 +60,7 @@ std::optional<FirstEntry> entering(const Posed<MeshShape>& a, const Vec3& motion
         if (!p.has_inside() || !q.has_inside()) {
             throw NotSupported("entering: both bodies must be surfaces, or both solids with inner points");
         }
-        return of_solids(p, motion, q, memory);
+        return of_solids(p, motion, q, end, memory);
     });
 }
 

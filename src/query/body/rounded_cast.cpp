@@ -1,8 +1,10 @@
-// Answers casts of rounded bodies. Bodies that are apart at the start meet when their cores are first at the distance
-// p, the sum of the radii. Since p > 0, the cores are apart then, and closest to each other on their boundaries.
+// Answers casts of rounded bodies, and casts to a distance. Bodies that are further apart at the start come to the
+// distance when their cores are first at the distance p, the sum of it and the radii. Since p > 0, the cores are apart
+// then, and closest to each other on their boundaries.
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "ecods/cast.hpp"
+#include "ecods/cast_to_distance.hpp"
 #include "ecods/rounded.hpp"
 #include "exact/point/posed_point.hpp"
 #include "geometry/find_invalid.hpp"
@@ -50,10 +52,17 @@ std::optional<FirstContact> cast_boundaries(const Posed<MeshShape>& a, const Vec
     return contact;
 }
 
+std::optional<FirstContact> cast_to(const RoundedPair& bodies, const Vec3& motion, double distance, double max_time,
+                                    const Ask& ask) {
+    require_finite_distance(distance);
+    return bodies.cast(motion, distance, max_time, ask);
+}
+
 }  // namespace
 
-std::optional<FirstContact> RoundedPair::cast(const Vec3& motion, double max_time, const Ask& ask) const {
-    const exact::ExactSum p = radii().sum();
+std::optional<FirstContact> RoundedPair::cast(const Vec3& motion, double distance, double max_time,
+                                              const Ask& ask) const {
+    const exact::ExactSum p = radii().sum().plus(distance);
     if (p.sign() == 0) return ecods::cast(a.core, motion, b.core, max_time, ask);
     const double latest = require_time(max_time);
     validate_motion(motion);
@@ -62,7 +71,7 @@ std::optional<FirstContact> RoundedPair::cast(const Vec3& motion, double max_tim
     const BodyPairAsked bodies(a.core, b.core);
     return as_one_query(memory, [&]() -> std::optional<FirstContact> {
         const Ask part(memory, asking.witness());
-        if (intersects(part)) {
+        if (within(distance, part)) {
             const ClosestPoints at = closest(part);
             return FirstContact{0, at.kind, at.a, at.b};
         }
@@ -74,15 +83,32 @@ std::optional<FirstContact> RoundedPair::cast(const Vec3& motion, double max_tim
 
 std::optional<FirstContact> cast(const Posed<Rounded>& a, const Vec3& motion, const Posed<Rounded>& b, double max_time,
                                  const Ask& ask) {
-    return RoundedPair{a, b}.cast(motion, max_time, ask);
+    return RoundedPair{a, b}.cast(motion, 0, max_time, ask);
 }
 std::optional<FirstContact> cast(const Posed<Rounded>& a, const Vec3& motion, const Posed<MeshShape>& b,
                                  double max_time, const Ask& ask) {
-    return RoundedPair{a, b}.cast(motion, max_time, ask);
+    return RoundedPair{a, b}.cast(motion, 0, max_time, ask);
 }
 std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion, const Posed<Rounded>& b,
                                  double max_time, const Ask& ask) {
-    return RoundedPair{a, b}.cast(motion, max_time, ask);
+    return RoundedPair{a, b}.cast(motion, 0, max_time, ask);
+}
+
+std::optional<FirstContact> cast_to_distance(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                             double distance, double max_time, const Ask& ask) {
+    return cast_to(RoundedPair{a, b}, motion, distance, max_time, ask);
+}
+std::optional<FirstContact> cast_to_distance(const Posed<Rounded>& a, const Vec3& motion, const Posed<Rounded>& b,
+                                             double distance, double max_time, const Ask& ask) {
+    return cast_to(RoundedPair{a, b}, motion, distance, max_time, ask);
+}
+std::optional<FirstContact> cast_to_distance(const Posed<Rounded>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                             double distance, double max_time, const Ask& ask) {
+    return cast_to(RoundedPair{a, b}, motion, distance, max_time, ask);
+}
+std::optional<FirstContact> cast_to_distance(const Posed<MeshShape>& a, const Vec3& motion, const Posed<Rounded>& b,
+                                             double distance, double max_time, const Ask& ask) {
+    return cast_to(RoundedPair{a, b}, motion, distance, max_time, ask);
 }
 
 }  // namespace ecods

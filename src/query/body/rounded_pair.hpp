@@ -36,7 +36,8 @@ struct RoundedPair {
     DistanceBounds distance_bounds(const DistanceTolerance& tolerance, const Ask& ask) const;
     SignedDistance signed_distance(const Ask& ask) const;
     std::optional<Depth> depth(const Ask& ask) const;
-    std::optional<FirstContact> cast(const Vec3& motion, double max_time, const Ask& ask) const;
+    // Returns the first time at which the bodies are within `distance`, which must be finite and not negative.
+    std::optional<FirstContact> cast(const Vec3& motion, double distance, double max_time, const Ask& ask) const;
 
     CoreAndRadius a, b;
 };

@@ -49,8 +49,8 @@ struct InPlane {
     }
 
     // Times between which no line in the plane separates the two form an interval. Returns its first time from 0 on, if
-    // this is less than 1; otherwise nullopt.
-    std::optional<double> first_time() const {
+    // this is less than `end`; otherwise nullopt.
+    std::optional<double> first_time(const ScaledInteger& end) const {
         std::vector<ScaledLongVector> sides{minus(segment[1], segment[0])};
         for (std::size_t i = 0; i < 3; ++i) sides.push_back(minus(triangle[(i + 1) % 3], triangle[i]));
         std::optional<Time> first, last;
@@ -71,8 +71,9 @@ struct InPlane {
             if (!last || compare(to, *last) < 0) last = to;
         }
         if (!first || compare(*last, *first) < 0 || last->num.sign() <= 0) return std::nullopt;
-        if (first->num.sign() <= 0) return 0;
-        if (compare(first->num, first->den) >= 0) return std::nullopt;
+        if (first->num.sign() < 0) first->num = ScaledInteger();
+        if (compare(first->num, end * first->den) >= 0) return std::nullopt;
+        if (first->num.sign() == 0) return 0;
         return exact::round_quotient(first->num, first->den);
     }
 };
@@ -144,7 +145,7 @@ bool SlidingSolids::reaches_below(const Body& body, const SideRef& edge, const S
 }
 
 std::optional<double> SlidingSolids::time(std::size_t side, std::uint32_t triangle, std::uint32_t corner,
-                                          std::uint32_t face) {
+                                          std::uint32_t face, double end) {
     const Body &moving = bodies_[side], &other = bodies_[1 - side];
     const ScaledLongVector n = other.outer_normal(face);
     const auto corners = moving.corners(triangle);
@@ -153,7 +154,7 @@ std::optional<double> SlidingSolids::time(std::size_t side, std::uint32_t triang
         for (ScaledInteger& x : plane.motion) x = -x;
     }
     if (!plane.overlaps_along_motion()) return std::nullopt;
-    const auto time = plane.first_time();
+    const auto time = plane.first_time(ScaledInteger(end));
     if (!time || !reaches_below(moving, {triangle, corner}, n)) return std::nullopt;
     return time;
 }

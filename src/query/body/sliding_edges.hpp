@@ -34,8 +34,8 @@ class SlidingSolids final : public SlidingEdges {
     std::uint32_t name(std::size_t side, std::uint32_t triangle) const;
 
     bool counts(std::size_t side, std::uint32_t triangle) const override;
-    std::optional<double> time(std::size_t side, std::uint32_t triangle, std::uint32_t corner,
-                               std::uint32_t face) override;
+    std::optional<double> time(std::size_t side, std::uint32_t triangle, std::uint32_t corner, std::uint32_t face,
+                               double end) override;
 
   private:
     struct Body {

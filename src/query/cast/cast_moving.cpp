@@ -1,7 +1,6 @@
 #include "base/double_key.hpp"
-#include "base/limits.hpp"
-#include "geometry/same_bits.hpp"
 #include "query/cast/cast_until.hpp"
+#include "query/cast/mesh_at_ends.hpp"
 #include "query/cast/moving_question.hpp"
 #include "query/intersection/query_memory.hpp"
 #include "query/intersection/surface_intersection.hpp"
@@ -10,45 +9,77 @@
 namespace ecods {
 namespace {
 
-// True if the body does not move. Compares bits, because a processor that flushes subnormal numbers compares two
-// different ones as equal.
-bool is_at_rest(const Moving<MeshShape>& body) {
-    return same_bits(body.from, body.to);
-}
+// Searches the first contact of two meshes that move straight. Everything that the arguments refer to must outlive it.
+class StraightSearch {
+  public:
+    StraightSearch(const MeshAtEnds& a, const MeshAtEnds& b, double latest, QueryMemory& memory, PairWitness& witness)
+        : a_(a),
+          b_(b),
+          latest_(latest),
+          memory_(memory),
+          witness_(witness),
+          working_(QueryMemoryAccess::part<Working>(memory, &QueryMemoryAccess::State::moving)) {
+        ++QueryMemoryAccess::state(memory).counts.queries;
+        motion().bind_boxes(a, b);
+        first_ = motion().first_of_boxes();
+    }
+
+    // False if the boxes of the meshes never meet. Otherwise run() says when the meshes do.
+    bool may_meet() const noexcept { return first_.has_value(); }
+
+    std::optional<FirstContact> run() {
+        const Posed<MeshShape> start_a(a_.start.shape, a_.start.pose), start_b(b_.start.shape, b_.start.pose);
+        PairWitness at_start = witness_;
+        if (!(*first_ > 0) && as_part(memory_, [&] {
+                return surface::intersects(start_a, start_b, {memory_, at_start});
+            })) {
+            witness_ = at_start;
+            return contact_at_start(start_a, start_b, memory_);
+        }
+        if (a_.is_at_rest && b_.is_at_rest) return std::nullopt;
+        motion().bind(a_, b_, QueryMemoryAccess::state(memory_).counts.casts);
+        MovingQuestion& question = working_.question;
+        question.start(latest_);
+        const MeshPair bodies{a_.start, b_.start};
+        Search(bodies, working_, memory_).run({.at_most = latest_}, bodies.named_by(witness_));
+        const auto contact = first_contact(working_.sieve, [](const auto&) { return std::optional<FirstContact>(); });
+        const bool may_be_late = contact && key_of(contact->time) == key_of(latest_) && key_of(latest_) < key_of(1.0);
+        if (!contact || (may_be_late && !question.is_by_then())) return std::nullopt;
+        witness_ = {contact->a.triangle, contact->b.triangle};
+        return contact;
+    }
+
+  private:
+    using Working = SearchMemory<MovingQuestion>;
+
+    StraightMotion& motion() noexcept { return working_.question.motion(); }
+
+    const MeshAtEnds &a_, &b_;
+    double latest_;
+    QueryMemory& memory_;
+    PairWitness& witness_;
+    Working& working_;
+    std::optional<float> first_;  // lower bound of the time at which the boxes meet
+};
 
 }  // namespace
 
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness) {
-    using Working = SearchMemory<MovingQuestion>;
-    Working& working = QueryMemoryAccess::part<Working>(memory, &QueryMemoryAccess::State::moving);
-    MovingQuestion& question = working.question;
-    QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
-    ++counts.queries;
-    StraightMotion& motion = question.motion();
-    motion.bind_boxes(a, b);
-    const std::optional<float> first = motion.first_of_boxes();
-    if (!first) return std::nullopt;
+    const MeshAtEnds of_a(a), of_b(b);
+    StraightSearch search(of_a, of_b, latest, memory, witness);
+    if (!search.may_meet()) return std::nullopt;
     const OtherUnits units(a, b);
     if (units.are_better()) {
         return as_part(memory, [&] { return cast_until(units.of(a), units.of(b), latest, memory, witness); });
     }
-    PairWitness at_start = witness;
-    const Posed<MeshShape> start_a(*a.what, a.from), start_b(*b.what, b.from);
-    if (!(*first > 0) && as_part(memory, [&] { return surface::intersects(start_a, start_b, {memory, at_start}); })) {
-        witness = at_start;
-        return contact_at_start(start_a, start_b, memory);
-    }
-    if (is_at_rest(a) && is_at_rest(b)) return std::nullopt;
-    motion.bind(a, b, counts.casts);
-    question.start(latest);
-    const MeshPair bodies{MeshBody(start_a), MeshBody(start_b)};
-    Search(bodies, working, memory).run({.at_most = latest}, bodies.named_by(witness));
-    const auto contact = first_contact(working.sieve, [](const auto&) { return std::optional<FirstContact>(); });
-    const bool may_be_late = contact && key_of(contact->time) == key_of(latest) && key_of(latest) < key_of(1.0);
-    if (!contact || (may_be_late && !question.is_by_then())) return std::nullopt;
-    witness = {contact->a.triangle, contact->b.triangle};
-    return contact;
+    return search.run();
+}
+
+std::optional<FirstContact> cast_until(const MeshAtEnds& a, const MeshAtEnds& b, double latest, QueryMemory& memory,
+                                       PairWitness& witness) {
+    StraightSearch search(a, b, latest, memory, witness);
+    return search.may_meet() ? search.run() : std::nullopt;
 }
 
 }  // namespace ecods

@@ -7,6 +7,8 @@
 
 namespace ecods {
 
+struct MeshAtEnds;
+
 // Return the first contact if its real time is at most `latest`, which must be from 0 to 1; otherwise nullopt. The
 // contact is the one that cast() returns, so its rounded time is at most `latest`, too. Cost: a few tenths of a
 // microsecond if the bodies stay far apart all the time; the cost of `intersects` if both are at rest. Throw
@@ -15,6 +17,8 @@ std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& mo
                                        double latest, QueryMemory& memory, PairWitness& witness);
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness);
+std::optional<FirstContact> cast_until(const MeshAtEnds& a, const MeshAtEnds& b, double latest, QueryMemory& memory,
+                                       PairWitness& witness);
 std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Vec3& motion_of_b, const Posed<MeshShape>& b,
                                        double latest, QueryMemory& memory, PairWitness& witness);
 

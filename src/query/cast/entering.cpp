@@ -19,12 +19,13 @@ class Entering {
     using Interval = ContactInterval;
     using Value = PairEntry;
 
-    // Returns false if there is certainly no contact from time 0 to 1.
-    bool bind(const MeshPair& bodies, const Vec3& motion, SlidingEdges* edges, CastCounts& counts) {
+    // Returns false if there is certainly no contact from time 0 to `end`.
+    bool bind(const MeshPair& bodies, const Vec3& motion, double end, SlidingEdges* edges, CastCounts& counts) {
         const MeshBody &a = bodies.a, &b = bodies.b;
         counts_ = &counts;
         edges_ = edges;
-        if (!axes_.bind({a.tree.boxes, a.pose.R}, {b.tree.boxes, b.pose.R}, b.pose.t - a.pose.t, motion, 1))
+        end_ = end;
+        if (!axes_.bind({a.tree.boxes, a.pose.R}, {b.tree.boxes, b.pose.R}, b.pose.t - a.pose.t, motion, end))
             return false;
         contacts_.bind(a.ref(), motion, b.ref());
         return true;
@@ -45,7 +46,7 @@ class Entering {
         // A vertex strictly inside a face, or two edges that cross, seen along the motion: the pair goes in properly
         // at its first contact.
         const bool is_proven =
-            interval.is_certain && key_of(interval.lower) > 0 && key_of(interval.upper) < key_of(1.0);
+            interval.is_certain && key_of(interval.lower) > 0 && key_of(interval.upper) < key_of(end_);
         if (!is_proven) interval.upper = std::numeric_limits<double>::infinity();
         interval.is_certain = is_proven;
         return interval;
@@ -59,13 +60,13 @@ class Entering {
     }
     std::optional<PairEntry> find(const TrianglePair& pair) {
         ++counts_->exact;
-        const TriangleContacts::Entry found = contacts_.entry(pair.a, pair.b, edges_ != nullptr);
+        const TriangleContacts::Entry found = contacts_.entry(pair.a, pair.b, end_, edges_ != nullptr);
         std::optional<double> time = found.time;
         for (std::uint32_t edge = 0; edge < 6; ++edge) {
             if ((found.sliding_edges >> edge & 1) == 0) continue;
             const bool is_of_a = edge < 3;
             const auto slides_in =
-                is_of_a ? edges_->time(0, pair.a, edge, pair.b) : edges_->time(1, pair.b, edge - 3, pair.a);
+                is_of_a ? edges_->time(0, pair.a, edge, pair.b, end_) : edges_->time(1, pair.b, edge - 3, pair.a, end_);
             if (slides_in && (!time || key_of(*slides_in) < key_of(*time))) time = slides_in;
         }
         if (!time) return std::nullopt;
@@ -82,19 +83,20 @@ class Entering {
     SweptAxes axes_;
     TriangleContacts contacts_;
     SlidingEdges* edges_ = nullptr;
+    double end_ = 1;
     CastCounts* counts_ = nullptr;
 };
 
 }  // namespace
 
 std::optional<PairEntry> first_entry(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                                     SlidingEdges* edges, QueryMemory& memory) {
+                                     double end, SlidingEdges* edges, QueryMemory& memory) {
     const auto allocated = std::make_unique<SearchMemory<Entering>>();
     SearchMemory<Entering>& working = *allocated;
     const MeshPair bodies{MeshBody(a), MeshBody(b)};
     CastCounts& counts = QueryMemoryAccess::state(memory).counts.casts;
-    if (!working.question.bind(bodies, motion, edges, counts)) return std::nullopt;
-    Search(bodies, working, memory).run({.at_most = 1}, std::nullopt);
+    if (!working.question.bind(bodies, motion, end, edges, counts)) return std::nullopt;
+    Search(bodies, working, memory).run({.at_most = end}, std::nullopt);
     return working.sieve.least([&](const auto& open, const auto&) { return working.question.find(open.triangles); },
                                [](const PairEntry& e) { return e.time; },
                                [](const PairEntry& e) { return e.triangles; });

@@ -20,10 +20,10 @@ class SlidingEdges {
     virtual bool counts(std::size_t side, std::uint32_t triangle) const = 0;
 
     // Edge `corner` of a triangle of body `side` is in the plane of triangle `face` of the other body, and this plane
-    // is parallel to the motion. Returns the time from 0 to less than 1, rounded once, from which on the solid at the
-    // edge is inside the other solid at the face; nullopt if it is not.
+    // is parallel to the motion. Returns the time from 0 to less than `end`, rounded once, from which on the solid at
+    // the edge is inside the other solid at the face; nullopt if it is not.
     virtual std::optional<double> time(std::size_t side, std::uint32_t triangle, std::uint32_t corner,
-                                       std::uint32_t face) = 0;
+                                       std::uint32_t face, double end) = 0;
 };
 
 struct PairEntry {
@@ -32,8 +32,8 @@ struct PairEntry {
 };
 
 // Returns the first time at which a pair of triangles goes in properly, or slides in; nullopt if there is none before
-// 1. Without `edges` no pair slides in. The motion must be finite, and not zero.
+// `end`, in real time. Without `edges` no pair slides in. The motion must be finite, and not zero; `end` from 0 to 1.
 std::optional<PairEntry> first_entry(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                                     SlidingEdges* edges, QueryMemory& memory);
+                                     double end, SlidingEdges* edges, QueryMemory& memory);
 
 }  // namespace ecods

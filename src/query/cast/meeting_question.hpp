@@ -23,7 +23,7 @@
 namespace ecods {
 
 // `Motion` has the bodies and how they move:
-//     sets()                   the axes of motion_axes.hpp, for a straight motion that bounds this one
+//     sets(), trees()          the axes of motion_axes.hpp and the trees, for a straight motion that bounds this one
 //     begin()                  the time before which no contact is
 //     time_of(bound)           a lower bound of the time, for a lower bound on those axes
 //     bound_of(time)           a bound on those axes that is not exceeded up to a time
@@ -55,7 +55,7 @@ class MeetingQuestion {
     template <class X, class Y>
     std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) noexcept {
         if (!motion_.may_go_on()) return 0;
-        return meeting_mask(motion_.sets(), limit, x, y, times);
+        return meeting_mask(motion_.sets(), limit, motion_.trees()[0].of(x), motion_.trees()[1].of(y), times);
     }
     bool may_share(float) const noexcept { return false; }
     ContactInterval enclose(const TrianglePair& triangles, double latest) {

@@ -38,22 +38,15 @@ exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
 
 }  // namespace
 
-void MovingPairs::bind(const Moving<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts) {
-    a_ = &a;
-    b_ = &b;
+void MovingPairs::bind(const MeshAtEnds& a, const MeshAtEnds& b, CastCounts& counts) {
     counts_ = &counts;
-    const exact::MeshExtent &extent_a = MeshShapeAccess::tree(*a.what).extent,
-                            &extent_b = MeshShapeAccess::tree(*b.what).extent;
-    const std::array<exact::BodyRef, 4> bodies{{{&a.what->mesh(), &extent_a, &a.from},
-                                                {&b.what->mesh(), &extent_b, &b.from},
-                                                {&a.what->mesh(), &extent_a, &a.to},
-                                                {&b.what->mesh(), &extent_b, &b.to}}};
+    const std::array<exact::BodyRef, 4> bodies{a.start.ref(), b.start.ref(), a.end, b.end};
     frame_.bind(bodies);
     known_.clear();
 }
 
 std::array<exact::VertexRef, 12> MovingPairs::corners_of(const TrianglePair& triangles) const {
-    const std::array of{a_->what->mesh().triangles()[triangles.a], b_->what->mesh().triangles()[triangles.b]};
+    const std::array of{mesh(0).triangles()[triangles.a], mesh(1).triangles()[triangles.b]};
     std::array<exact::VertexRef, 12> corners;
     for (std::size_t body = 0; body < 4; ++body) {
         for (std::size_t i = 0; i < 3; ++i) corners[3 * body + i] = {body, of[body % 2][i]};

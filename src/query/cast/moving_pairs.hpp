@@ -10,14 +10,14 @@
 #include "exact/point/frame.hpp"
 #include "query/cast/contact_interval.hpp"
 #include "query/cast/decide_meeting.hpp"
-#include "query/shape/mesh_tree.hpp"
+#include "query/cast/mesh_at_ends.hpp"
 
 namespace ecods {
 
 class MovingPairs {
   public:
     // Everything that the arguments refer to must outlive this object.
-    void bind(const Moving<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts);
+    void bind(const MeshAtEnds& a, const MeshAtEnds& b, CastCounts& counts);
 
     // Returns an interval within [from, to] that contains the first time at which the triangles share a point, if they
     // do so by `to`. Returns nullopt if they certainly do not.
@@ -29,7 +29,7 @@ class MovingPairs {
 
   private:
     friend class MeetingDecision<MovingPairs>;
-    const Mesh& mesh(std::size_t side) const noexcept { return (side == 0 ? a_ : b_)->what->mesh(); }
+    const Mesh& mesh(std::size_t side) const noexcept { return *frame_.body(side).mesh; }
     exact::MovingPoints points_of(const TrianglePair& triangles);
     template <class Function>
     auto ask_exactly(const TrianglePair& triangles, Function&& ask);
@@ -38,8 +38,6 @@ class MovingPairs {
                                                       exact::Effort effort);
     std::array<exact::VertexRef, 12> corners_of(const TrianglePair& triangles) const;  // at the start, then at the end
 
-    const Moving<MeshShape>* a_ = nullptr;
-    const Moving<MeshShape>* b_ = nullptr;
     CastCounts* counts_ = nullptr;
     exact::Frame frame_;  // bodies 0 and 1: a and b at the start; 2 and 3: a and b at the end
     KnownMeetings known_;

@@ -2,6 +2,9 @@
 
 namespace ecods {
 
+namespace {
+
+// Returns a node with a single child box, the root's.
 BvhNode root_of(const MeshBvh& tree) {
     BvhNode node{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -12,15 +15,25 @@ BvhNode root_of(const MeshBvh& tree) {
     return node;
 }
 
-void StraightMotion::bind_boxes(const Moving<MeshShape>& a, const Moving<MeshShape>& b) {
-    trees_ = {&MeshShapeAccess::tree(*a.what).boxes, &MeshShapeAccess::tree(*b.what).boxes};
-    axes_.bind({*trees_[0], a.from.R, a.to.R}, {*trees_[1], b.from.R, b.to.R}, b.from.t - a.from.t, b.to.t - a.to.t);
+}  // namespace
+
+std::optional<float> first_of_roots(const MotionAxes& axes, const TreeAtEnds& a, const TreeAtEnds& b) {
+    const BvhNode from_a = root_of(a.start()), to_a = root_of(a.end()), from_b = root_of(b.start()),
+                  to_b = root_of(b.end());
+    alignas(32) LaneBounds times;
+    if (meeting_mask(axes.sets(), 1, NodeAtEnds(from_a, to_a), NodeAtEnds(from_b, to_b), times) == 0)
+        return std::nullopt;
+    return times[0];
+}
+
+void StraightMotion::bind_boxes(const MeshAtEnds& a, const MeshAtEnds& b) {
+    const Pose &from_a = a.start.pose, &to_a = *a.end.pose, &from_b = b.start.pose, &to_b = *b.end.pose;
+    trees_ = {a.trees, b.trees};
+    axes_.bind({a.trees, from_a.R, to_a.R}, {b.trees, from_b.R, to_b.R}, from_b.t - from_a.t, to_b.t - to_a.t);
 }
 
 std::optional<float> StraightMotion::first_of_boxes() {
-    alignas(32) LaneBounds times;
-    if (meeting_mask(axes_.sets(), 1, root_of(*trees_[0]), root_of(*trees_[1]), times) == 0) return std::nullopt;
-    return times[0];
+    return first_of_roots(axes_, trees_[0], trees_[1]);
 }
 
 }  // namespace ecods

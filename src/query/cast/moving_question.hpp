@@ -1,4 +1,5 @@
-// MovingQuestion asks for the first contact of two bodies whose points move straight between two poses.
+// MovingQuestion asks for the first contact of two meshes whose points move straight: between two poses, or each to a
+// place of its own.
 #pragma once
 
 #include <array>
@@ -12,18 +13,19 @@
 
 namespace ecods {
 
-// Returns a node with a single child box, the root's.
-BvhNode root_of(const MeshBvh& tree);
+// Returns a lower bound, on the axes, of the time at which the boxes of the trees' roots meet; nullopt if they do not.
+std::optional<float> first_of_roots(const MotionAxes& axes, const TreeAtEnds& a, const TreeAtEnds& b);
 
 // The straight motions of two bodies, for MeetingQuestion.
 class StraightMotion : public MovingPairs {
   public:
     // Everything that the arguments refer to must outlive this object.
-    void bind_boxes(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
+    void bind_boxes(const MeshAtEnds& a, const MeshAtEnds& b);
     // Returns a lower bound of the time at which the boxes of the bodies meet; nullopt if they never do.
     std::optional<float> first_of_boxes();
 
     const std::array<MotionSet, 2>& sets() const noexcept { return axes_.sets(); }
+    const std::array<TreeAtEnds, 2>& trees() const noexcept { return trees_; }
     static constexpr double begin() noexcept { return 0; }
     static double time_of(float bound) noexcept { return static_cast<double>(bound); }
     static float bound_of(double time) noexcept { return round_up(time); }
@@ -31,7 +33,7 @@ class StraightMotion : public MovingPairs {
 
   private:
     MotionAxes axes_;
-    std::array<const MeshBvh*, 2> trees_{};
+    std::array<TreeAtEnds, 2> trees_;
 };
 
 using MovingQuestion = MeetingQuestion<StraightMotion>;

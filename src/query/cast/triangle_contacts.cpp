@@ -110,7 +110,7 @@ bool TriangleContacts::meet_by(std::uint32_t i, std::uint32_t j, double latest) 
     });
 }
 
-TriangleContacts::Entry TriangleContacts::entry(std::uint32_t i, std::uint32_t j, bool with_edges) {
+TriangleContacts::Entry TriangleContacts::entry(std::uint32_t i, std::uint32_t j, double end, bool with_edges) {
     return with_integers(i, j, [&]<int L>(const TranslatedPair<L>& pair) {
         const ContactTimes<L> times(pair);
         Entry entry;
@@ -118,7 +118,7 @@ TriangleContacts::Entry TriangleContacts::entry(std::uint32_t i, std::uint32_t j
             auto interval = times.interval();
             if (!interval || interval->last.sign() <= 0) return entry;
             if (interval->first.sign() < 0) interval->first.num = {};
-            if (compare(interval->first.size(), 1.0) < 0) entry.time = round_fraction(interval->first.size());
+            if (compare(interval->first.size(), end) < 0) entry.time = round_fraction(interval->first.size());
         } else if (with_edges) {
             for (std::size_t edge = 0; edge < 6; ++edge) {
                 if (times.slides_in_plane(edge / 3, edge % 3)) {

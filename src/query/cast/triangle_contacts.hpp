@@ -30,15 +30,16 @@ class TriangleContacts {
     // True if triangles i and j share a point at some time from 0 to `latest`.
     bool meet_by(std::uint32_t i, std::uint32_t j, double latest);
 
-    // Says how triangle i of the first mesh goes into triangle j of the second one, from time 0 to 1.
+    // Says how triangle i of the first mesh goes into triangle j of the second one, from time 0 to `end`.
     struct Entry {
-        std::optional<double> time;  // the pair's time, rounded once, if it goes in properly (ContactTimes)
+        // The pair's time, rounded once, if it goes in properly (ContactTimes) at a real time before `end`.
+        std::optional<double> time;
         // Bit e, or 3 + e: edge e of triangle i, or j, is in the plane of the other triangle and slides along it.
         std::uint8_t sliding_edges = 0;
     };
     // Edges are looked for only if the pair does not go in properly, and if with_edges; then both triangles must have
     // an area.
-    Entry entry(std::uint32_t i, std::uint32_t j, bool with_edges);
+    Entry entry(std::uint32_t i, std::uint32_t j, double end, bool with_edges);
 
   private:
     template <class Use>

@@ -43,7 +43,7 @@ double length_above(const Vec3& v) {
 void TurnMotion::bind(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, CastCounts& counts) {
     TurningPairs::bind(a, motion, b, counts);
     const MeshTree &tree_a = MeshShapeAccess::tree(*a.what), &tree_b = MeshShapeAccess::tree(*b.what);
-    trees_ = {&tree_a.boxes, &tree_b.boxes};
+    trees_ = {TreeAtEnds(tree_a.boxes), TreeAtEnds(tree_b.boxes)};
     a_start_ = &a.pose.R;
     b_pose_ = &b.pose.R;
     between_ = b.pose.t - a.pose.t;
@@ -100,7 +100,7 @@ void TurnMotion::set_piece(double from, double to) {
     step_max_ = may_divide_ ? usual_step_max_ : std::numeric_limits<std::uint64_t>::max() - 1;
     const Place start = place_at(at_from_), end = place_at(at_to_);
     gaps_ = {start.R * centers_[0] + start.t - centers_[1], end.R * centers_[0] + end.t - centers_[1]};
-    axes_.bind({*trees_[0], start.R, end.R}, {*trees_[1], *b_pose_, *b_pose_}, between_ - start.t, between_ - end.t,
+    axes_.bind({trees_[0], start.R, end.R}, {trees_[1], *b_pose_, *b_pose_}, between_ - start.t, between_ - end.t,
                margin_);
 }
 
@@ -124,9 +124,7 @@ std::optional<float> TurnMotion::first_of_boxes() {
         const auto [low, high] = std::minmax(gaps_[0][k], gaps_[1][k]);
         if (low > reach || high < -reach) return std::nullopt;
     }
-    alignas(32) LaneBounds times;
-    if (meeting_mask(axes_.sets(), 1, root_of(*trees_[0]), root_of(*trees_[1]), times) == 0) return std::nullopt;
-    return times[0];
+    return first_of_roots(axes_, trees_[0], trees_[1]);
 }
 
 // Divides the angle about in halves.

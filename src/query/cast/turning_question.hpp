@@ -43,6 +43,7 @@ class TurnMotion : public TurningPairs {
     std::optional<double> middle() const noexcept;
 
     const std::array<MotionSet, 2>& sets() const noexcept { return axes_.sets(); }
+    const std::array<TreeAtEnds, 2>& trees() const noexcept { return trees_; }
     double begin() const noexcept { return from_; }
     double time_of(float bound) const noexcept;
     float bound_of(double time) const noexcept;
@@ -63,7 +64,7 @@ class TurnMotion : public TurningPairs {
 
     const Mat3* a_start_ = nullptr;
     const Mat3* b_pose_ = nullptr;
-    std::array<const MeshBvh*, 2> trees_{};
+    std::array<TreeAtEnds, 2> trees_;
     Vec3 between_ = Vec3::Zero();          // from the translation of a's pose at the start to that of b's
     double radius_ = 0;                    // upper bound of the distance of a's points from the axis
     double size_ = 0, arm_ = 0, way_ = 0;  // of the body and the distance of both, of the pivot beside it, of the glide

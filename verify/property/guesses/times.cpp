@@ -131,7 +131,7 @@ void ask_meeting(Case& c) {
                       moves.to_b.t - moves.to_a.t);
             const auto mask_up_to = [&](float limit) {
                 return [&axes, limit](const auto& x, const auto& y, LaneBounds& times) {
-                    return meeting_mask(axes.sets(), limit, x, y, times);
+                    return meeting_mask(axes.sets(), limit, NodeAtEnds(x, x), NodeAtEnds(y, y), times);
                 };
             };
             bounds = bounds_of(trees, mask_up_to(1));
@@ -234,6 +234,7 @@ void ask_moving(Case& c) {
     Contact contact = moves.contact(bodies, 0, 0);
     const MeshShape a(bodies.a), b(bodies.b);
     const Moving<MeshShape> moving_a{a, bodies.pose_a, moves.to_a}, moving_b{b, bodies.pose_b, moves.to_b};
+    const MeshAtEnds ends_a(moving_a), ends_b(moving_b);
     RoundedCorners corners(bodies, moves);
     ask_rounded(c, corners.points());
     for_each_mode([&](const environment::FloatMode& mode) {
@@ -243,7 +244,7 @@ void ask_moving(Case& c) {
             const auto bound = in_mode(mode, [&] {
                 CastCounts counts;
                 MovingPairs pairs;
-                pairs.bind(moving_a, moving_b, counts);
+                pairs.bind(ends_a, ends_b, counts);
                 return pairs.bound({0, 0}, time.from, time.to, effort);
             });
             c.require(bound || !contact, "triangles that meet are said not to", mode.name);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -157,6 +158,37 @@ TEST(Entering, FromRest) {
     EXPECT_FALSE(pose_before({cube, at({0, -0.5, 0})}, {0, 1, 0}, {floor, Pose()}, 0.25));
 }
 
+// Only a real time before max_time counts, though it may round to it.
+TEST(Entering, UpToATime) {
+    const Solid cube(box({0, 0, 0}, {1, 1, 1})), floor(box({-5, -1, -5}, {5, 0, 5}));
+    const MeshShape cube_surface(cube.mesh_ptr()), floor_surface(floor.mesh_ptr());
+    const auto times = [&](double height, double fall, double max_time) {
+        const auto of_solids = entering({cube, at({0, height, 0})}, {0, -fall, 0}, {floor, Pose()}, max_time);
+        const auto of_surfaces =
+            entering({cube_surface, at({0, height, 0})}, {0, -fall, 0}, {floor_surface, Pose()}, max_time);
+        EXPECT_EQ(time_of(of_solids), time_of(of_surfaces));
+        return time_of(of_solids);
+    };
+    const std::optional<double> never;
+    EXPECT_EQ(times(1, 2, 0.5), never);
+    EXPECT_EQ(times(1, 2, std::nextafter(0.5, 1)), 0.5);
+    EXPECT_EQ(times(1, 2, 7), 0.5);
+    EXPECT_EQ(times(1, 3, 1 / 3.0), never) << "1/3 is above the double";
+    EXPECT_EQ(times(1, 3, std::nextafter(1 / 3.0, 1)), 1 / 3.0);
+    EXPECT_EQ(times(1, 10, 0.1), 0.1) << "1/10 is below the double";
+    EXPECT_EQ(times(1, 10, std::nextafter(0.1, 0)), never);
+    EXPECT_EQ(times(0, 1, 0), never);
+    EXPECT_EQ(times(0, 1, 0x1p-1074), 0);
+    EXPECT_EQ(entering({cube, at({0, -0.5, 0})}, {0, 1, 0}, {floor, Pose()}, 0)->time, 0) << "in it at the start";
+    // An edge slides into a face of its plane: boxes of one height on a floor.
+    const auto slides = [&](double max_time) {
+        return time_of(entering({cube, at({-3, 0, 0})}, {4, 0, 0}, {cube, Pose()}, max_time));
+    };
+    EXPECT_EQ(slides(1), 0.5);
+    EXPECT_EQ(slides(0.5), never);
+    EXPECT_EQ(slides(std::nextafter(0.5, 1)), 0.5);
+}
+
 TEST(Entering, RefusesByName) {
     const Solid cube(box({0, 0, 0}, {1, 1, 1}));
     const MeshShape surface(cube.mesh_ptr());
@@ -166,6 +198,8 @@ TEST(Entering, RefusesByName) {
     EXPECT_THROW(static_cast<void>(entering({cube, {Mat3::Zero(), Vec3::Zero()}}, {1, 0, 0}, {cube, Pose()})),
                  NotSupported);
     EXPECT_THROW(static_cast<void>(entering({cube, Pose()}, {NAN, 0, 0}, {cube, Pose()})), InvalidArgument);
+    EXPECT_THROW(static_cast<void>(entering({cube, Pose()}, {1, 0, 0}, {cube, Pose()}, -1)), InvalidArgument);
+    EXPECT_THROW(static_cast<void>(entering({cube, Pose()}, {1, 0, 0}, {cube, Pose()}, NAN)), InvalidArgument);
     for (const double time : {-1.0, 1.125, std::numeric_limits<double>::infinity()}) {
         EXPECT_THROW(static_cast<void>(pose_before({cube, Pose()}, {1, 0, 0}, {cube, Pose()}, time)), InvalidArgument);
     }

@@ -14,10 +14,10 @@
 #include "ecods/half_space.hpp"
 #include "environment/each_environment.hpp"
 #include "geometry/feature_key.hpp"
-#include "oracle/rounded_motion.hpp"
 #include "scenes/pose_at.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "unit/query/near_times.hpp"
 #include "unit/query/rounded_bodies.hpp"
 
 namespace ecods {
@@ -26,29 +26,11 @@ namespace {
 using rounded_bodies::around;
 using rounded_bodies::Ball;
 
-oracle::Vector<mpq_class> exact_vector(const Vec3& v) {
-    return {oracle::exactly(v[0]), oracle::exactly(v[1]), oracle::exactly(v[2])};
-}
-
-oracle::RoundedMotion::Corners corners_of(const Posed<Rounded>& body, std::uint32_t triangle) {
-    const auto points = oracle::posed_points(body.what->core().mesh(), body.pose);
-    const Triangle& corners = body.what->core().mesh().triangles()[triangle];
-    return {points[corners[0]], points[corners[1]], points[corners[2]]};
-}
-
 // The first time up to 1, by all pairs of triangles.
 std::optional<double> true_time(const Posed<Rounded>& a, const Vec3& motion, const Posed<Rounded>& b) {
     if (intersects(a, b)) return 0;
-    const mpq_class p = oracle::exactly(a.what->radius()) + oracle::exactly(b.what->radius());
-    std::optional<double> least;
-    for (std::uint32_t i = 0; i < a.what->core().mesh().triangles().size(); ++i) {
-        for (std::uint32_t j = 0; j < b.what->core().mesh().triangles().size(); ++j) {
-            const auto time =
-                oracle::RoundedMotion(corners_of(a, i), corners_of(b, j), exact_vector(motion), p).first(1);
-            if (time && (!least || *time < *least)) least = time;
-        }
-    }
-    return least;
+    return near_times::first_within({a.what->core(), a.pose}, motion, {b.what->core(), b.pose},
+                                    oracle::exactly(a.what->radius()) + oracle::exactly(b.what->radius()));
 }
 
 // Expects the contact, and the same one if the other body moves the other way.

@@ -1,0 +1,15 @@
+// Gives the library access to a deforming mesh at both ends of its motion.
+#pragma once
+
+#include "ecods/deforming.hpp"
+#include "query/cast/mesh_at_ends.hpp"
+
+namespace ecods {
+
+struct DeformingAccess {
+    // Return the surface at time 0, and at both ends. The mesh must outlive the results.
+    static const Posed<MeshShape>& at_start(const Deforming& mesh);
+    static MeshAtEnds at_ends(const Deforming& mesh);
+};
+
+}  // namespace ecods

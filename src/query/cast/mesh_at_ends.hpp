@@ -1,0 +1,33 @@
+// MeshAtEnds refers to a mesh at both ends of a straight motion: each of its points moves from its place at time 0 to
+// its place at time 1 at constant speed.
+#pragma once
+
+#include "bvh/tree/moving_tree.hpp"
+#include "ecods/pose.hpp"
+#include "ecods/shape.hpp"
+#include "exact/point/frame.hpp"
+#include "geometry/same_bits.hpp"
+#include "query/shape/mesh_body.hpp"
+
+namespace ecods {
+
+// Everything that it refers to must outlive this object.
+struct MeshAtEnds {
+    explicit MeshAtEnds(const Moving<MeshShape>& rigid)
+        : start(*rigid.what, rigid.from),
+          end{&start.mesh(), &start.tree.extent, &rigid.to},
+          trees(start.tree.boxes),
+          is_at_rest(same_bits(rigid.from, rigid.to)) {}
+    // A mesh that deforms: `at_end` has its triangles and other vertices, and `tree_at_end` the structure of its tree.
+    MeshAtEnds(const Posed<MeshShape>& at_start, const exact::BodyRef& at_end, const MeshBvh& tree_at_end)
+        : start(at_start), end(at_end), trees(start.tree.boxes, tree_at_end) {}
+
+    MeshBody start;
+    exact::BodyRef end;
+    TreeAtEnds trees;
+    // True if no point moves. Compares bits, because a processor that flushes subnormal numbers compares two different
+    // ones as equal.
+    bool is_at_rest = false;
+};
+
+}  // namespace ecods
