@@ -53,41 +53,9 @@ std::optional<FirstContact> cast_of(const World& world, BodyId a, const Vec3& mo
     return cast(moved, motion, Posed<Rounded>(*round_b, at_b), 1, memory);
 }
 
-// A point that bodies are near: a corner of a mesh at its pose, or of a box. Points that are no doubles are left out.
-Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Random& random) {
-    const BodyId body = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
-    const Aabb box = world.box(body);
-    Vec3 point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = random.below(2) == 0 ? box.min[axis] : box.max[axis];
-    if (random.below(3) != 0) {
-        const auto mesh = mesh_of(*world.shape(body));
-        const auto vertices = mesh->vertices();
-        const Pose pose = world.pose(body);
-        const auto vertex = [&] { return vertices[random.below(static_cast<std::uint32_t>(vertices.size()))]; };
-        point = pose.R * vertex() + pose.t;
-        if (random.below(3) == 0) point = 0.5 * (point + (pose.R * vertex() + pose.t));
-    }
-    return point.allFinite() ? point : Vec3(0, 0, 0);
-}
-
 bool is_moderate(const auto& numbers) {
     const auto sizes = numbers.array().abs();
     return (sizes == 0 || (sizes >= moderate_min && sizes <= moderate_max)).all();
-}
-
-// Whether all pairs can be asked in a fraction of a second.
-bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies) {
-    std::size_t count = 0, pairs = 0;
-    bool has_moderate_numbers = true;
-    for (const BodyId body : bodies) {
-        const auto mesh = mesh_of(*world.shape(body));
-        pairs += count * mesh->triangles().size();
-        count += mesh->triangles().size();
-        const Pose pose = world.pose(body);
-        has_moderate_numbers = has_moderate_numbers && is_moderate(pose.R) && is_moderate(pose.t) &&
-                               std::ranges::all_of(mesh->vertices(), [](const Vec3& v) { return is_moderate(v); });
-    }
-    return pairs <= (has_moderate_numbers ? triangle_pairs_max : triangle_pairs_max_of_long_integers);
 }
 
 // Everything but the order of hits whose parameters round to the same.
@@ -174,6 +142,40 @@ void check_line(std::span<World* const> worlds, const Line& line, const std::opt
 }
 
 }  // namespace
+
+Posed<MeshShape> mesh_at(const World& world, BodyId body) {
+    return mesh_at(*world.shape(body), world.pose(body));
+}
+
+Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Random& random) {
+    const BodyId body = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
+    const Aabb box = world.box(body);
+    Vec3 point;
+    for (int axis = 0; axis < 3; ++axis) point[axis] = random.below(2) == 0 ? box.min[axis] : box.max[axis];
+    if (random.below(3) != 0) {
+        const auto mesh = mesh_of(*world.shape(body));
+        const auto vertices = mesh->vertices();
+        const Pose pose = world.pose(body);
+        const auto vertex = [&] { return vertices[random.below(static_cast<std::uint32_t>(vertices.size()))]; };
+        point = pose.R * vertex() + pose.t;
+        if (random.below(3) == 0) point = 0.5 * (point + (pose.R * vertex() + pose.t));
+    }
+    return point.allFinite() ? point : Vec3(0, 0, 0);
+}
+
+bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies) {
+    std::size_t count = 0, pairs = 0;
+    bool has_moderate_numbers = true;
+    for (const BodyId body : bodies) {
+        const auto mesh = mesh_of(*world.shape(body));
+        pairs += count * mesh->triangles().size();
+        count += mesh->triangles().size();
+        const Pose pose = world.pose(body);
+        has_moderate_numbers = has_moderate_numbers && is_moderate(pose.R) && is_moderate(pose.t) &&
+                               std::ranges::all_of(mesh->vertices(), [](const Vec3& v) { return is_moderate(v); });
+    }
+    return pairs <= (has_moderate_numbers ? triangle_pairs_max : triangle_pairs_max_of_long_integers);
+}
 
 void check_hits(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
     const World& first = *worlds.front();

@@ -16,6 +16,7 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/box_questions.hpp"
 #include "fuzz/checks/checks.hpp"
+#include "fuzz/checks/contact_questions.hpp"
 #include "fuzz/checks/convex_questions.hpp"
 #include "fuzz/checks/distance_questions.hpp"
 #include "fuzz/checks/solid_questions.hpp"
@@ -197,6 +198,7 @@ void Player::check_ways() {
     check_solids(worlds, seed, counters_);
     check_convex(worlds, seed, counters_);
     if (check_count_ % 2 == 0) check_casts(worlds, seed, counters_);
+    if (check_count_ % 2 == 1) check_contacts(worlds, seed, counters_);
     // Rounded bodies between poses are refused (rounded.hpp).
     if (check_count_ % 2 == 1 && !truth_.has_rounded()) check_meetings(worlds, seed, counters_);
 }

@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/validate_lines.hpp"
+#include "query/body/hit_lists.hpp"
 #include "query/body/starts_inside.hpp"
 #include "query/hit/hit_search.hpp"
 #include "query/intersection/asking.hpp"
@@ -97,16 +97,7 @@ std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Targets& targets,
 template <class SegmentOrRay>
 BodyHitLists find_lists(const World& world, std::span<const SegmentOrRay> lines,
                         const std::optional<CollisionFilter>& filter, const Ask& ask) {
-    validate_all(lines);
-    BodyHitLists lists;
-    lists.first.reserve(lines.size() + 1);
-    lists.first.push_back(0);
-    for (const SegmentOrRay& line : lines) {
-        const std::vector<BodyHit> hits = world.all_hits(line, filter, ask);
-        lists.hits.insert(lists.hits.end(), hits.begin(), hits.end());
-        lists.first.push_back(lists.hits.size());
-    }
-    return lists;
+    return list_hits<BodyHitLists>(lines, [&](const SegmentOrRay& line) { return world.all_hits(line, filter, ask); });
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include "base/double_key.hpp"
 #include "ecods/solid.hpp"
-#include "geometry/validate_lines.hpp"
+#include "query/body/hit_lists.hpp"
 #include "query/body/starts_inside.hpp"
 #include "query/hit/surface_hit.hpp"
 #include "query/intersection/asking.hpp"
@@ -44,17 +44,8 @@ std::vector<Hit> find_all(const SegmentOrRay& line, const Posed<MeshShape>& pose
 
 template <class SegmentOrRay>
 HitLists find_lists(std::span<const SegmentOrRay> lines, const Posed<MeshShape>& body, const Ask& ask) {
-    validate_all(lines);
     Asking asking(ask);
-    HitLists lists;
-    lists.first.reserve(lines.size() + 1);
-    lists.first.push_back(0);
-    for (const SegmentOrRay& line : lines) {
-        const std::vector<Hit> hits = find_all(line, body, asking.memory());
-        lists.hits.insert(lists.hits.end(), hits.begin(), hits.end());
-        lists.first.push_back(lists.hits.size());
-    }
-    return lists;
+    return list_hits<HitLists>(lines, [&](const SegmentOrRay& line) { return find_all(line, body, asking.memory()); });
 }
 
 }  // namespace

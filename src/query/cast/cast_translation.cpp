@@ -2,11 +2,10 @@
 
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
-#include "bvh/axes/swept_axes.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/cast/contact_interval.hpp"
-#include "query/cast/triangle_contacts.hpp"
+#include "query/cast/translated_pairs.hpp"
 #include "query/intersection/surface_intersection.hpp"
 #include "query/search/search.hpp"
 #include "query/shape/other_units.hpp"
@@ -16,32 +15,13 @@ namespace {
 
 // Translation is the PairQuestion (query/search) whose numbers are the times of first contact while body a is
 // translated.
-class Translation {
+class Translation : public TranslatedPairs {
   public:
     using Interval = ContactInterval;
     using Value = FirstContact;
 
-    // Returns false if there is certainly no contact from time 0 to `latest`.
-    bool bind(const MeshPair& bodies, const Vec3& motion, double latest, CastCounts& counts) {
-        const MeshBody &a = bodies.a, &b = bodies.b;
-        counts_ = &counts;
-        if (!axes_.bind({a.tree.boxes, a.pose.R}, {b.tree.boxes, b.pose.R}, b.pose.t - a.pose.t, motion, latest)) {
-            return false;
-        }
-        contacts_.bind(a.ref(), motion, b.ref());
-        return true;
-    }
-
-    float limit_above(double time) const noexcept { return axes_.window_above(time); }
-    template <class X, class Y>
-    std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
-        return swept_mask(axes_.sets(), limit, x, y, times);
-    }
     bool may_share(float time) const noexcept { return !(time > 0); }
-    ContactInterval enclose(const TrianglePair& triangles, double) {
-        ++counts_->enclosures;
-        return contacts_.enclose(triangles.a, triangles.b);
-    }
+    ContactInterval enclose(const TrianglePair& triangles, double) { return enclosed(triangles); }
     // Decides the pair exactly if the interval does not prove that it has a contact. Returns false if it has none.
     bool complete(const TrianglePair& triangles, ContactInterval& interval, std::optional<FirstContact>& contact) {
         if (key_of(interval.upper) <= key_of(1.0)) return true;
@@ -50,18 +30,11 @@ class Translation {
         return contact.has_value();
     }
     std::optional<FirstContact> round(const TrianglePair& triangles, const ContactInterval& interval) {
-        ++counts_->exact;
-        return contacts_.contact(triangles.a, triangles.b, interval);
+        return exact_contacts().contact(triangles.a, triangles.b, interval);
     }
     bool meet_by(const TrianglePair& triangles, double latest) {
-        ++counts_->exact;
-        return contacts_.meet_by(triangles.a, triangles.b, latest);
+        return exact_contacts().meet_by(triangles.a, triangles.b, latest);
     }
-
-  private:
-    SweptAxes axes_;
-    TriangleContacts contacts_;
-    CastCounts* counts_ = nullptr;
 };
 
 // Returns the first open contact if its real time is at most `latest`. A real time that rounds to less than `latest` is

@@ -4,9 +4,8 @@
 #include <memory>
 
 #include "base/double_key.hpp"
-#include "bvh/axes/swept_axes.hpp"
 #include "query/cast/contact_interval.hpp"
-#include "query/cast/triangle_contacts.hpp"
+#include "query/cast/translated_pairs.hpp"
 #include "query/search/search.hpp"
 
 namespace ecods {
@@ -14,35 +13,23 @@ namespace {
 
 // Entering is the PairQuestion (query/search) whose numbers are the times at which pairs of triangles go in. No pair
 // goes in before its first contact, so lower bounds of that time hold for these numbers.
-class Entering {
+class Entering : public TranslatedPairs {
   public:
     using Interval = ContactInterval;
     using Value = PairEntry;
 
     // Returns false if there is certainly no contact from time 0 to `end`.
     bool bind(const MeshPair& bodies, const Vec3& motion, double end, SlidingEdges* edges, CastCounts& counts) {
-        const MeshBody &a = bodies.a, &b = bodies.b;
-        counts_ = &counts;
         edges_ = edges;
         end_ = end;
-        if (!axes_.bind({a.tree.boxes, a.pose.R}, {b.tree.boxes, b.pose.R}, b.pose.t - a.pose.t, motion, end))
-            return false;
-        contacts_.bind(a.ref(), motion, b.ref());
-        return true;
-    }
-
-    float limit_above(double time) const noexcept { return axes_.window_above(time); }
-    template <class X, class Y>
-    std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
-        return swept_mask(axes_.sets(), limit, x, y, times);
+        return TranslatedPairs::bind(bodies, motion, end, counts);
     }
     // A pair that shares a point need not go in.
     bool may_share(float) const noexcept { return false; }
 
     ContactInterval enclose(const TrianglePair& pair, double) {
         if (edges_ != nullptr && !(edges_->counts(0, pair.a) && edges_->counts(1, pair.b))) return never();
-        ++counts_->enclosures;
-        ContactInterval interval = contacts_.enclose(pair.a, pair.b);
+        ContactInterval interval = enclosed(pair);
         // A vertex strictly inside a face, or two edges that cross, seen along the motion: the pair goes in properly
         // at its first contact.
         const bool is_proven =
@@ -59,8 +46,7 @@ class Entering {
         return entry.has_value();
     }
     std::optional<PairEntry> find(const TrianglePair& pair) {
-        ++counts_->exact;
-        const TriangleContacts::Entry found = contacts_.entry(pair.a, pair.b, end_, edges_ != nullptr);
+        const TriangleContacts::Entry found = exact_contacts().entry(pair.a, pair.b, end_, edges_ != nullptr);
         std::optional<double> time = found.time;
         for (std::uint32_t edge = 0; edge < 6; ++edge) {
             if ((found.sliding_edges >> edge & 1) == 0) continue;
@@ -80,11 +66,8 @@ class Entering {
         return interval;
     }
 
-    SweptAxes axes_;
-    TriangleContacts contacts_;
     SlidingEdges* edges_ = nullptr;
     double end_ = 1;
-    CastCounts* counts_ = nullptr;
 };
 
 }  // namespace

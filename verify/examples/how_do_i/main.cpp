@@ -52,6 +52,60 @@ void cast_on_its_way() {
     if (contact) fmt::print("cast on its way: meets at time {}\n", contact->time);
 }
 
+// The line comes in through a face, out again, and so on: of a solid, every hit says which.
+void where_a_line_goes_in() {
+    const auto cube = unit_cube();
+    const Ray ray{.origin = {0.5, 0.25, 3}, .direction = {0, 0, -1}};
+    for (const SidedHit& side : sided_hits(ray, {cube, Pose{}})) {
+        const bool enters = side.passage == Passage::enters;
+        fmt::print("where a line goes in: {} at {}, normal {}\n", enters ? "enters" : "leaves", side.hit.parameter,
+                   text(*side.normal));
+    }
+    if (const auto hit = first_hit(ray, {cube, Pose{}})) {
+        fmt::print("the normal of a hit: {}\n", text(*hit_normal(ray, {cube, Pose{}}, *hit)));
+    }
+    for (const InsidePart& part : inside_parts(ray, {cube, Pose{}})) {
+        fmt::print("parts inside: from {} to {}\n", part.from, part.to);
+    }
+}
+
+void contact_with_a_normal() {
+    const auto cube = unit_cube();
+    const Posed falling(cube, {.t = {0.25, 0.5, 5}}), floor(cube, Pose{});
+    const Vec3 motion(1, 0, -8);
+    const auto contact = cast(falling, motion, floor);
+    if (!contact) return;
+    const ContactPoint at = contact_point(falling, motion, floor, *contact);
+    fmt::print("contact with a normal: at {}, along {}\n", text(at.point), text(*at.normal));
+}
+
+// A cube that stands on another one slides off it freely; pushed down, it enters at once.
+void slide_and_enter() {
+    const auto cube = unit_cube();
+    const Posed standing(cube, {.t = {0, 0, 1}}), falling(cube, {.t = {0, 0, 3}}), floor(cube, Pose{});
+    const bool slides = !entering(standing, {2, 0, 0}, floor);
+    const auto entry = entering(falling, {0, 0, -3}, floor);
+    if (!entry) return;
+    const auto before = pose_before(falling, {0, 0, -3}, floor, entry->time);
+    fmt::print("slide and enter: slides {}, falls in at {:.4f}, free at height {}\n", slides, entry->time,
+               before->t.z());
+}
+
+void stop_at_a_distance() {
+    const auto cube = unit_cube();
+    const auto near = cast_to_distance({cube, {.t = {0, 0, 5}}}, {0, 0, -8}, {cube, Pose{}}, 2);
+    if (near) fmt::print("stop at a distance: 2 away at time {}\n", near->time);
+}
+
+// A sheet of two triangles falls while one of its corners lags behind.
+void cast_a_cloth() {
+    const std::vector<Vec3> corners{{0, 0, 3}, {1, 0, 3}, {1, 1, 3}, {0, 1, 3}};
+    const auto sheet = std::make_shared<const MeshShape>(Mesh::create(corners, {Triangle{0, 1, 2}, {0, 2, 3}}));
+    const Deforming cloth(sheet, {{0, 0, 3}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}});
+    const auto contact = cast(cloth, {unit_cube(), Pose{}});
+    if (contact) fmt::print("cast a cloth: meets at time {}\n", contact->time);
+}
+
 // A rod turns by a quarter about its end, as a joint of a robot does. If each of its points went straight, it would be
 // shorter on its way, and miss the post.
 void turn_past_a_post() {
@@ -245,7 +299,12 @@ int main() {
     touch();
     distance_with_points();
     ray();
+    where_a_line_goes_in();
     cast_on_its_way();
+    contact_with_a_normal();
+    slide_and_enter();
+    stop_at_a_distance();
+    cast_a_cloth();
     turn_past_a_post();
     world_with_events();
     nearest_body();

@@ -1,0 +1,52 @@
+// TranslatedPairs bounds when nodes and pairs of triangles of two meshes first share a point, of which one is
+// translated. It is the part that the questions about translations have in common.
+#pragma once
+
+#include <cstdint>
+
+#include "bvh/axes/swept_axes.hpp"
+#include "ecods/ask.hpp"
+#include "query/cast/triangle_contacts.hpp"
+#include "query/shape/mesh_body.hpp"
+
+namespace ecods {
+
+class TranslatedPairs {
+  public:
+    // Returns false if there is certainly no contact from time 0 to `latest`. Everything that the arguments refer to
+    // must outlive this object.
+    bool bind(const MeshPair& bodies, const Vec3& motion, double latest, CastCounts& counts) {
+        const MeshBody &a = bodies.a, &b = bodies.b;
+        counts_ = &counts;
+        if (!axes_.bind({a.tree.boxes, a.pose.R}, {b.tree.boxes, b.pose.R}, b.pose.t - a.pose.t, motion, latest)) {
+            return false;
+        }
+        contacts_.bind(a.ref(), motion, b.ref());
+        return true;
+    }
+
+    // As a PairQuestion has them (query/search).
+    float limit_above(double time) const noexcept { return axes_.window_above(time); }
+    template <class X, class Y>
+    std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
+        return swept_mask(axes_.sets(), limit, x, y, times);
+    }
+
+  protected:
+    // Return what TriangleContacts has, and count it: an interval in doubles, or exact contacts.
+    ContactInterval enclosed(const TrianglePair& pair) {
+        ++counts_->enclosures;
+        return contacts_.enclose(pair.a, pair.b);
+    }
+    TriangleContacts& exact_contacts() noexcept {
+        ++counts_->exact;
+        return contacts_;
+    }
+
+  private:
+    SweptAxes axes_;
+    TriangleContacts contacts_;
+    CastCounts* counts_ = nullptr;
+};
+
+}  // namespace ecods
