@@ -19,7 +19,7 @@
 //     ask for a point?                                      closest, signed_distance; locate (of a solid)
 //     find penetration, separation?                         signed_distance, depth, depth_bounds; within
 //     get contact points and normals?                       contact_patch (convex); intersections, close_features
-//     move a joint, turn a door, rigidly?                   about, between; cast of a turning body (turn.hpp)
+//     move a joint, turn a door, rigidly?                   about, between; cast of turning bodies (turn.hpp)
 //     stop at a distance, land without touching?            cast_to_distance; entering, pose_before (cast.hpp)
 //     cast cloth, or a mesh that bends?                     Deforming (deforming.hpp)
 //     have a ground, a wall?                                HalfSpace (half_space.hpp)

@@ -8,7 +8,11 @@ namespace ecods::oracle {
 std::optional<std::string> contradiction(const TurningSoup& a, const Soup& b,
                                          const std::optional<ExactContact>& contact) {
     const FloatEnvironment environment;
-    const TurnSubdivision pieces(a, b);
+    return contradiction(TurnSubdivision(a, b), contact);
+}
+
+std::optional<std::string> contradiction(const TurnSubdivision& pieces, const std::optional<ExactContact>& contact) {
+    const FloatEnvironment environment;
     if (!contact) return pieces.are_apart(0, 1, 110) ? std::nullopt : std::optional("not proven apart to the end");
     const double time = contact->rounded;
     if (time == 0) return pieces.meet(0) ? std::nullopt : std::optional("apart at the start");

@@ -1,11 +1,11 @@
-// A turning body and one at rest, by pieces of the time: proofs that the bodies are apart throughout a piece, and the
-// question at a single time. No root of a polynomial is computed, and no condition on features decides: it shares
-// nothing with the first contacts of first_contact.hpp.
+// Two bodies of which one turns, or both, by pieces of the time: proofs that the bodies are apart throughout a piece,
+// and the question at a single time. No root of a polynomial is computed, and no condition on features decides: it
+// shares nothing with the first contacts of first_contact.hpp.
 //
 // On a piece of the time the quaternion is a linear form of two numbers u, v >= 0 that are not both 0: how far the time
-// is from either end. The corners are then cubic forms over a common positive one. A direction, which may turn too, is
-// a form; if all differences of two corners along it have coefficients of one sign, and not 0 at the ends, then the
-// triangles are apart at all times of the piece.
+// is from either end. The corners are then cubic forms over a common positive one; of the fifth degree if both turn. A
+// direction, which may turn too, is a form; if all differences of two corners along it have coefficients of one sign,
+// and not 0 at the ends, then the triangles are apart at all times of the piece.
 #pragma once
 
 #include <gmpxx.h>
@@ -23,6 +23,7 @@ namespace ecods::oracle {
 class TurnSubdivision {
   public:
     TurnSubdivision(const TurningSoup& a, const Soup& b);
+    TurnSubdivision(const TurningSoup& a, const TurningSoup& b);
 
     // True if the bodies are proven to share no point from one time to another. Pieces are halved up to so many times;
     // no proof is found where they do share a point.
@@ -34,16 +35,20 @@ class TurnSubdivision {
   private:
     using Integers = Vector<mpz_class>;
 
-    // All of both bodies in one unit, and the quaternion in its own.
-    std::vector<std::array<Integers, 3>> arms_;  // of each triangle that turns: corners less the pivot
-    std::vector<std::array<Integers, 3>> still_;
-    Integers pivot_, glide_;
-    mpz_class one_;
-    std::array<mpz_class, 4> q_;
+    // One body, in the unit of both, and its quaternion in its own.
+    struct Body {
+        std::vector<std::array<Integers, 3>> arms;  // of each triangle: corners less the pivot
+        Integers pivot, glide;
+        mpz_class one = 1;
+        std::array<mpz_class, 4> q;
+        bool rests = false;
+    };
+    std::array<Body, 2> bodies_;
 };
 
 // Nothing, or what pieces of the time say against a first contact: that the bodies are not proven apart before it, or
 // that they are at it, or at times around it that are nearer to it than the next doubles.
+std::optional<std::string> contradiction(const TurnSubdivision& pieces, const std::optional<ExactContact>& contact);
 std::optional<std::string> contradiction(const TurningSoup& a, const Soup& b,
                                          const std::optional<ExactContact>& contact);
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "oracle/float_environment.hpp"
 #include "oracle/integer_points.hpp"
@@ -63,80 +65,52 @@ bool overlap(const Ranges& a, const Ranges& b) {
     return true;
 }
 
-class TurningPairs {
+Ranges ranges_around(const std::vector<Integers>& points, const Triangle& t, const Integers& axis) {
+    Ranges ranges;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto along = [&](const Integers& p) { return k < 3 ? p[k] : dot(axis, p); };
+        ranges[k] = {along(points[t[0]]), along(points[t[0]])};
+        for (const std::uint32_t vertex : t) ranges[k].add(along(points[vertex]));
+    }
+    return ranges;
+}
+
+// One soup that turns: its corners on their way, times the squared length of its quaternion.
+class TurningSide {
   public:
-    TurningPairs(const TurningSoup& a, const Soup& b)
-        : a_(a.from), b_(b), q_(a.q), places_{a.pivot_from, a.pivot_to}, common_(soups()) {
+    TurningSide(const TurningSoup& soup, const std::vector<Integers>& points, const std::vector<Integers>& pivots)
+        : q_(soup.q), triangles_(soup.from.triangles), points_(points), from_(pivots[0]) {
         for (std::size_t k = 0; k < 3; ++k) {
-            glide_[k] = common_.points[2][1][k] - pivot()[k];
-            pivot_[k] = Polynomial({pivot()[k], glide_[k]}) * q_.squared_length;
+            glide_[k] = pivots[1][k] - from_[k];
+            pivot_[k] = Polynomial({from_[k], glide_[k]}) * q_.squared_length;
         }
     }
 
-    PairsOnTheWay pairs() const {
-        PairsOnTheWay result{a_, b_, {}, {}, {}, {}};
-        std::vector<Ranges> of_a, of_b;
-        for (const Triangle& t : a_.triangles) of_a.push_back(on_the_way(t));
-        for (const Triangle& t : b_.triangles) of_b.push_back(around(common_.points[1], t));
-        for (std::uint32_t i = 0; i < of_a.size(); ++i) {
-            for (std::uint32_t j = 0; j < of_b.size(); ++j) {
-                if (overlap(of_a[i], of_b[j])) result.on_the_way.push_back({i, j});
-            }
-        }
-        result.at_start = result.on_the_way;
-        result.are_apart = [](const TrianglePair&, double) { return false; };
-        result.motion = [this](const TrianglePair& pair) {
-            return make_motion(turning(pair.a), still(pair.b), q_.squared_length);
-        };
-        return result;
-    }
+    const QuaternionOfTime& quaternion() const { return q_; }
 
-  private:
-    static constexpr std::array<Triangle, 1> segment{{{0, 1, 1}}};
-
-    std::array<Soup, 3> soups() const { return {a_, b_, Soup{places_, segment, Pose()}}; }
-    const Integers& pivot() const { return common_.points[2][0]; }
-
-    PolynomialCorners turning(std::uint32_t index) const {
+    PolynomialCorners corners(std::uint32_t index) const {
         PolynomialCorners corners;
         for (std::size_t i = 0; i < 3; ++i) {
-            const Integers& p = common_.points[0][a_.triangles[index][i]];
-            corners[i] = q_.turn(Integers(p - pivot()));
+            const Integers& p = points_[triangles_[index][i]];
+            corners[i] = q_.turn(Integers(p - from_));
             for (std::size_t k = 0; k < 3; ++k) corners[i][k] = corners[i][k] + pivot_[k];
         }
         return corners;
     }
-    PolynomialCorners still(std::uint32_t index) const {
-        PolynomialCorners corners;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Integers& p = common_.points[1][b_.triangles[index][i]];
-            for (std::size_t k = 0; k < 3; ++k) corners[i][k] = Polynomial({p[k]}) * q_.squared_length;
-        }
-        return corners;
-    }
 
-    Ranges around(const std::vector<Integers>& points, const Triangle& t) const {
-        Ranges ranges;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const auto along = [&](const Integers& p) { return k < 3 ? p[k] : dot(q_.fixed_axis, p); };
-            ranges[k] = {along(points[t[0]]), along(points[t[0]])};
-            for (const std::uint32_t vertex : t) ranges[k].add(along(points[vertex]));
-        }
-        return ranges;
-    }
     // The places of a triangle that turns: within the largest distance of a corner from the pivot, on each axis; and
     // along the axis of the turn only the pivot moves.
     Ranges on_the_way(const Triangle& t) const {
         mpz_class farthest = 0;
         for (const std::uint32_t vertex : t) {
-            const Integers g = common_.points[0][vertex] - pivot();
+            const Integers g = points_[vertex] - from_;
             farthest = std::max(farthest, mpz_class(dot(g, g)));
         }
         const mpz_class radius = sqrt(farthest) + 1;  // rounded down, and up
-        Ranges ranges = around(common_.points[0], t);
+        Ranges ranges = ranges_around(points_, t, q_.fixed_axis);
         for (std::size_t k = 0; k < 3; ++k) {
-            ranges[k] = {pivot()[k], pivot()[k]};
-            ranges[k].add(pivot()[k] + glide_[k]);
+            ranges[k] = {from_[k], from_[k]};
+            ranges[k].add(from_[k] + glide_[k]);
             ranges[k].min -= radius;
             ranges[k].max += radius;
         }
@@ -145,12 +119,115 @@ class TurningPairs {
         return ranges;
     }
 
-    Soup a_, b_;
+  private:
     QuaternionOfTime q_;
+    std::span<const Triangle> triangles_;
+    const std::vector<Integers>& points_;
+    Integers from_, glide_;
+    Polynomials pivot_;  // on its way, times the squared length
+};
+
+constexpr std::array<Triangle, 1> segment{{{0, 1, 1}}};
+
+PolynomialCorners times(PolynomialCorners corners, const Polynomial& factor) {
+    for (Polynomials& corner : corners) {
+        for (Polynomial& x : corner) x = x * factor;
+    }
+    return corners;
+}
+
+PairsOnTheWay pairs_of(const Soup& a, const Soup& b, const std::vector<Ranges>& of_a, const std::vector<Ranges>& of_b) {
+    PairsOnTheWay result{a, b, {}, {}, {}, {}};
+    for (std::uint32_t i = 0; i < of_a.size(); ++i) {
+        for (std::uint32_t j = 0; j < of_b.size(); ++j) {
+            if (overlap(of_a[i], of_b[j])) result.on_the_way.push_back({i, j});
+        }
+    }
+    result.at_start = result.on_the_way;
+    result.are_apart = [](const TrianglePair&, double) { return false; };
+    return result;
+}
+
+class TurningPairs {
+  public:
+    TurningPairs(const TurningSoup& a, const Soup& b)
+        : a_(a.from),
+          b_(b),
+          places_{a.pivot_from, a.pivot_to},
+          common_(soups()),
+          side_(a, common_.points[0], common_.points[2]) {}
+
+    PairsOnTheWay pairs() const {
+        std::vector<Ranges> of_a, of_b;
+        for (const Triangle& t : a_.triangles) of_a.push_back(side_.on_the_way(t));
+        for (const Triangle& t : b_.triangles) {
+            of_b.push_back(ranges_around(common_.points[1], t, side_.quaternion().fixed_axis));
+        }
+        PairsOnTheWay result = pairs_of(a_, b_, of_a, of_b);
+        result.motion = [this](const TrianglePair& pair) {
+            return make_motion(side_.corners(pair.a), still(pair.b), side_.quaternion().squared_length);
+        };
+        return result;
+    }
+
+  private:
+    std::array<Soup, 3> soups() const { return {a_, b_, Soup{places_, segment, Pose()}}; }
+
+    PolynomialCorners still(std::uint32_t index) const {
+        PolynomialCorners corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Integers& p = common_.points[1][b_.triangles[index][i]];
+            for (std::size_t k = 0; k < 3; ++k) corners[i][k] = Polynomial({p[k]}) * side_.quaternion().squared_length;
+        }
+        return corners;
+    }
+
+    Soup a_, b_;
     std::array<Vec3, 2> places_;
     CommonIntegers common_;
-    Integers glide_;
-    Polynomials pivot_;  // on its way, times the squared length
+    TurningSide side_;
+};
+
+// Where both turn, coordinates are times both squared lengths.
+class BothTurningPairs {
+  public:
+    BothTurningPairs(const TurningSoup& a, const TurningSoup& b)
+        : a_(a.from),
+          b_(b.from),
+          places_{a.pivot_from, a.pivot_to, b.pivot_from, b.pivot_to},
+          common_(soups()),
+          side_a_(a, common_.points[0], common_.points[2]),
+          side_b_(b, common_.points[1], common_.points[3]) {}
+
+    PairsOnTheWay pairs() const {
+        std::vector<Ranges> of_a, of_b;
+        for (const Triangle& t : a_.triangles) of_a.push_back(without_axis(side_a_.on_the_way(t)));
+        for (const Triangle& t : b_.triangles) of_b.push_back(without_axis(side_b_.on_the_way(t)));
+        PairsOnTheWay result = pairs_of(a_, b_, of_a, of_b);
+        result.motion = [this](const TrianglePair& pair) {
+            const Polynomial &norm_a = side_a_.quaternion().squared_length,
+                             &norm_b = side_b_.quaternion().squared_length;
+            return make_motion(times(side_a_.corners(pair.a), norm_b), times(side_b_.corners(pair.b), norm_a),
+                               norm_a * norm_b);
+        };
+        return result;
+    }
+
+  private:
+    std::array<Soup, 4> soups() const {
+        const std::span<const Vec3> places(places_);
+        return {a_, b_, Soup{places.first(2), segment, Pose()}, Soup{places.last(2), segment, Pose()}};
+    }
+    // The axes are not the same.
+    static Ranges without_axis(Ranges ranges) {
+        ranges[3] = {0, 0};
+        return ranges;
+    }
+
+    Soup a_, b_;
+    std::array<Vec3, 4> places_;
+    CommonIntegers common_;
+    TurningSide side_a_, side_b_;
 };
 
 }  // namespace
@@ -158,6 +235,12 @@ class TurningPairs {
 std::optional<ExactContact> first_contact(const TurningSoup& a, const Soup& b) {
     const FloatEnvironment environment;
     const TurningPairs turning(a, b);
+    return first_of(turning.pairs());
+}
+
+std::optional<ExactContact> first_contact(const TurningSoup& a, const TurningSoup& b) {
+    const FloatEnvironment environment;
+    const BothTurningPairs turning(a, b);
     return first_of(turning.pairs());
 }
 

@@ -1,5 +1,5 @@
-// A Root is an exact real number: a root of a polynomial with integer coefficients. It can be compared and rounded, and
-// other polynomials can be evaluated at it.
+// A Root is an exact real number: a root of a polynomial with integer coefficients, of the type P. It can be compared
+// and rounded, and other polynomials can be evaluated at it.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,22 @@ namespace ecods::exact {
 
 // Holds a real number in (0, 1]: either a binary fraction, or the only root of a polynomial strictly between m / 2^bits
 // and (m + 1) / 2^bits, which must be a simple root. Functions may shorten the interval, and keep the shorter one.
-class Root {
+template <class P>
+class RootOf {
   public:
     // Makes the root that is equal to `value`.
-    explicit Root(BinaryFraction value);
+    explicit RootOf(BinaryFraction value);
     // Makes the root of p between `from` and the next fraction with the same denominator. `local` is p.moved_to(from).
     // The Bernstein coefficients of p on that interval must have exactly one change of sign. `sign_below` is the sign
     // of the first coefficient that is not zero.
-    Root(Polynomial p, BinaryFraction from, Polynomial local, int sign_below);
+    RootOf(P p, BinaryFraction from, P local, int sign_below);
 
     // Returns the sign of g at this number. The interval is shortened until the sign is certain; a common divisor of
     // both polynomials proves that the value is zero, which bounds the work.
-    int sign_of(const Polynomial& g);
+    int sign_of(const P& g);
 
     // Returns the sign of x - y. May shorten the intervals of both.
-    friend int compare(Root& x, Root& y);
+    friend int compare(RootOf& x, RootOf& y) { return compare_roots(x, y); }
 
     // Returns the nearest double, ties to even, but at least 2^-1074.
     double round();
@@ -34,7 +35,8 @@ class Root {
     bool is_above(double x);
 
   private:
-    static int compare_with_fraction(Root& x, const BinaryFraction& y);
+    static int compare_roots(RootOf& x, RootOf& y);
+    static int compare_with_fraction(RootOf& x, const BinaryFraction& y);
 
     // Shortens the interval until its denominator is at least 2^bits, or until the number is known as a fraction.
     void refine(int bits);
@@ -48,22 +50,26 @@ class Root {
     std::int64_t guess(int bits) const;
     // True if this number is a root of `divisor`. `divisor` must divide a polynomial that has this number as its only
     // root in the interval.
-    bool is_root_of_divisor(const Polynomial& divisor) const;
+    bool is_root_of_divisor(const P& divisor) const;
 
-    Polynomial p_;  // zero polynomial if is_fraction_
+    P p_;  // zero polynomial if is_fraction_
     BinaryFraction from_;
-    Polynomial local_;  // a multiple of p_.moved_to(from_): the interval is [0, 1]
+    P local_;  // a multiple of p_.moved_to(from_): the interval is [0, 1]
     int sign_below_ = 0;
     int gain_ = 1;
     bool is_fraction_ = false;
 };
 
+using Root = RootOf<Polynomial>;
+
 // Returns the roots of p in (0, 1], each once, in ascending order; an empty list for the zero polynomial.
-std::vector<Root> roots_in_unit_interval(Polynomial p);
+template <class P = Polynomial>
+std::vector<RootOf<P>> roots_in_unit_interval(P p);
 
 // Returns the roots of p in the `count` consecutive intervals of length 2^-bits that begin at `from` = m / 2^bits; the
 // left end of the first one is excluded. All intervals must be within [0, 1]. Returns nullopt if an interval may
 // contain two or more roots.
-std::optional<std::vector<Root>> simple_roots_in(Polynomial p, BinaryFraction from, int count);
+template <class P = Polynomial>
+std::optional<std::vector<RootOf<P>>> simple_roots_in(P p, BinaryFraction from, int count);
 
 }  // namespace ecods::exact

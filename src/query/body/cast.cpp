@@ -73,4 +73,21 @@ std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Vec3& motion
                            });
 }
 
+std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Turning<MeshShape>& b, double max_time,
+                                 const Ask& ask) {
+    const double latest = require_time(max_time);
+    for (const Turning<MeshShape>* body : {&a, &b}) {
+        validate(body->pose);
+        validate(body->turn);
+    }
+    Asking asking(ask);
+    if (are_surfaces(*a.what, *b.what)) return cast_until(a, b, latest, asking.memory(), asking.witness());
+    return cast_boundaries({{*a.what, a.pose}, {*b.what, b.pose}}, asking.memory(),
+                           [&](const Posed<MeshShape>& x, const Posed<MeshShape>& y) {
+                               return cast_until(Turning<MeshShape>(*x.what, a.pose, a.turn),
+                                                 Turning<MeshShape>(*y.what, b.pose, b.turn), latest, asking.memory(),
+                                                 asking.witness());
+                           });
+}
+
 }  // namespace ecods

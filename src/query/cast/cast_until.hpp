@@ -21,6 +21,8 @@ std::optional<FirstContact> cast_until(const MeshAtEnds& a, const MeshAtEnds& b,
                                        PairWitness& witness);
 std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Vec3& motion_of_b, const Posed<MeshShape>& b,
                                        double latest, QueryMemory& memory, PairWitness& witness);
+std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Turning<MeshShape>& b, double latest,
+                                       QueryMemory& memory, PairWitness& witness);
 
 // Returns the contact at time 0 of bodies that share a point before they move. Call only if they do. The work is
 // counted as a part of the query that calls it.

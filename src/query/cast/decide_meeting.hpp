@@ -52,7 +52,7 @@ class KnownMeetings {
 
 // `Pairs` has the pairs of triangles of two moving meshes: mesh(side); points_of(triangles), in doubles, for
 // bound_first_meeting and possible_features; ask_exactly(triangles, ask), which returns ask(position) for the
-// RelativePosition; and counts_.
+// RelativePositionOf some polynomials; and counts_.
 template <class Pairs>
 class MeetingDecision {
   public:
@@ -79,7 +79,7 @@ class MeetingDecision {
             if (!next) return std::nullopt;
             time = *next;
         }
-        return pairs_.ask_exactly(triangles_, [](exact::RelativePosition& at) { return exact::first_meeting(at); });
+        return pairs_.ask_exactly(triangles_, [](auto& at) { return exact::first_meeting(at); });
     }
 
   private:
@@ -96,8 +96,8 @@ class MeetingDecision {
                 return {true, exact::Meeting{known->time, known->is_late, pair}};
             }
         }
-        const exact::PartialAnswer answer = pairs_.ask_exactly(
-            triangles_, [&](exact::RelativePosition& at) { return exact::first_meeting_in(at, cells, features); });
+        const exact::PartialAnswer answer =
+            pairs_.ask_exactly(triangles_, [&](auto& at) { return exact::first_meeting_in(at, cells, features); });
         if (answer.is_known && answer.meeting && is_one) {
             known_.add({a, b, answer.meeting->time, answer.meeting->is_late});
         }

@@ -3,16 +3,10 @@
 #include <algorithm>
 
 #include "base/arithmetic.hpp"
+#include "query/cast/turn_vector.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
-namespace {
-
-Vec3 vector_of(const Quaternion& q) {
-    return {q.x, q.y, q.z};
-}
-
-}  // namespace
 
 void TurningPairs::bind(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
                         CastCounts& counts) {
@@ -44,11 +38,7 @@ exact::TurningPoints TurningPairs::points_of(const TrianglePair& triangles) {
     const double pivot_error = 2 * two_u * exact::largest(pivot_) + 0x1p-1000;
     return {frame_.rounded(corners_of(triangles)),
             std::max(frame_.delta(0), frame_.delta(1)),
-            pivot_,
-            glide_,
-            pivot_error,
-            2 * two_u * way_size_ + 0x1p-1000,
-            &angles_};
+            {pivot_, glide_, pivot_error, 2 * two_u * way_size_ + 0x1p-1000, &angles_}};
 }
 
 std::optional<exact::TimeSpan> TurningPairs::bound(const TrianglePair& triangles, double from, double to,

@@ -23,7 +23,7 @@ struct QueryMemory::State {
     std::vector<NodePair> stack;
     QueryCounts counts;
     std::unique_ptr<QueryMemoryPart> distance, point, hit, cast, moving, solid, convex, depth, half_space, certificate,
-        closest_pairs, turning;
+        closest_pairs, turning, both_turning;
 };
 
 struct QueryMemoryAccess {

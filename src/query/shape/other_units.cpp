@@ -100,6 +100,14 @@ OtherUnits::OtherUnits(const Turning<MeshShape>& a, const Vec3& motion, const Po
            {&a.turn.pivot_from, &a.turn.pivot_to, &motion});
 }
 
+OtherUnits::OtherUnits(const Turning<MeshShape>& a, const Turning<MeshShape>& b) {
+    const double size = std::max(size_of(*a.what, a.pose), size_of(*b.what, b.pose));
+    if (size > least && size < most) [[likely]]
+        return;
+    choose({Body{a.what, {&a.pose, &a.pose}}, Body{b.what, {&b.pose, &b.pose}}},
+           {&a.turn.pivot_from, &a.turn.pivot_to, &b.turn.pivot_from, &b.turn.pivot_to});
+}
+
 void OtherUnits::choose(const std::array<Body, 2>& bodies, std::initializer_list<const Vec3*> vectors) {
     int exponent = 2 * exact::exponent_of_zero;
     for (const Body& body : bodies) {

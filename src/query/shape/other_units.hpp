@@ -25,6 +25,7 @@ class OtherUnits {
     OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion = Vec3::Zero());
     OtherUnits(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b);
+    OtherUnits(const Turning<MeshShape>& a, const Turning<MeshShape>& b);
 
     // Returns true if a query should use these units, each of which is 2^-e times a usual unit.
     bool are_better() const noexcept { return exponent_ != 0; }

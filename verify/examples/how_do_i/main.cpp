@@ -115,6 +115,13 @@ void turn_past_a_post() {
     if (!contact) return;
     fmt::print("turn past a post: meets after {:.2f} of 90 degrees\n",
                angle_at(turn, contact->time) * 180 / std::numbers::pi);
+    // Another rod turns about an end of its own.
+    const Turn other = about({0, 0, 1}, std::numbers::pi / 2, {2, 3, 0});
+    const auto between = cast({rod, {.t = {1, 0, 0}}, turn}, {rod, {.t = {1, 3, 0}}, other});
+    if (between) {
+        fmt::print("two rods that turn: meet after {:.2f} of 90 degrees\n",
+                   angle_at(turn, between->time) * 180 / std::numbers::pi);
+    }
 }
 
 void world_with_events() {

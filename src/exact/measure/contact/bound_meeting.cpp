@@ -125,6 +125,30 @@ class Turned {
     TurningCorners corners_;
 };
 
+class BothTurned {
+  public:
+    using At = BothTurningCorners::At;
+    struct Chord {
+        Point margins;
+
+        ECODS_ALWAYS_INLINE Point widened(const Point& error) const noexcept {
+            return {error[0] + margins[0], error[1] + margins[1], error[2] + margins[2]};
+        }
+        ECODS_ALWAYS_INLINE static double earliest(double way) noexcept { return way; }
+        ECODS_ALWAYS_INLINE static double latest(double way) noexcept { return way; }
+    };
+
+    ECODS_ALWAYS_INLINE explicit BothTurned(const BothTurningPoints& points) noexcept : corners_(points) {}
+    ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return corners_.is_bounded(); }
+    ECODS_ALWAYS_INLINE At at(double s) const noexcept { return corners_.at(s); }
+    ECODS_ALWAYS_INLINE Chord chord(const At& from, const At& to) const noexcept {
+        return {corners_.margins(from, to)};
+    }
+
+  private:
+    BothTurningCorners corners_;
+};
+
 template <class Motion>
 class Bounds {
   public:
@@ -247,6 +271,11 @@ std::optional<TimeSpan> bound_first_meeting(const MovingPoints& points, double f
 std::optional<TimeSpan> bound_first_meeting(const TurningPoints& points, double from, double to,
                                             Effort effort) noexcept {
     return dispatch<find_bound<Turned, TurningPoints>>(points, from, to, steps_of(effort, turn_step_max));
+}
+
+std::optional<TimeSpan> bound_first_meeting(const BothTurningPoints& points, double from, double to,
+                                            Effort effort) noexcept {
+    return dispatch<find_bound<BothTurned, BothTurningPoints>>(points, from, to, steps_of(effort, turn_step_max));
 }
 
 }  // namespace ecods::exact

@@ -17,6 +17,7 @@
 
 #include <optional>
 
+#include "exact/measure/contact/both_turning_points.hpp"
 #include "exact/measure/contact/moving_points.hpp"
 #include "exact/measure/contact/turning_points.hpp"
 
@@ -30,6 +31,8 @@ namespace ecods::exact {
 enum class Effort { coarse, fine };
 std::optional<TimeSpan> bound_first_meeting(const MovingPoints& points, double from, double to, Effort effort) noexcept;
 std::optional<TimeSpan> bound_first_meeting(const TurningPoints& points, double from, double to,
+                                            Effort effort) noexcept;
+std::optional<TimeSpan> bound_first_meeting(const BothTurningPoints& points, double from, double to,
                                             Effort effort) noexcept;
 
 }  // namespace ecods::exact

@@ -11,9 +11,10 @@
 namespace ecods::exact {
 namespace {
 
+template <class P>
 class MeetingSearch {
   public:
-    MeetingSearch(RelativePosition& triangles, FeatureSet features, const TimeCells* cells)
+    MeetingSearch(RelativePositionOf<P>& triangles, FeatureSet features, const TimeCells* cells)
         : triangles_(triangles), features_(features), cells_(cells) {}
 
     PartialAnswer run() {
@@ -43,7 +44,7 @@ class MeetingSearch {
     }
 
     // Returns the first pair of features of the set that shares a point at the time; null if no pair does.
-    const FeaturePair* first_shared(FeatureSet features, Root& time) {
+    const FeaturePair* first_shared(FeatureSet features, RootOf<P>& time) {
         TrianglesAtRoot then(triangles_, time);
         for (; features != 0; features &= features - 1) {
             const FeaturePair& pair = feature_pairs[first_of(features)];
@@ -57,35 +58,34 @@ class MeetingSearch {
         if (part == 0) return;
         const bool has_corner = four.kind == FeatureKind::vertex_face;
         const std::size_t side = four.vertex_side, corner = four.corner(side);
-        const Polynomial volume =
-            has_corner ? triangles_.corner_volume(side, corner) : triangles_.edge_volume(four.a, four.b);
+        const P volume = has_corner ? triangles_.corner_volume(side, corner) : triangles_.edge_volume(four.a, four.b);
         if (!volume.is_zero()) return try_roots(volume, part);
         if (!has_corner) return;
         for (std::size_t edge = 0; edge < 3; ++edge) add_in_plane({side, corner, edge}, part);
     }
 
     void add_in_plane(const CornerAndEdge& which, FeatureSet part) {
-        for (const Polynomial& coordinate : triangles_.turn(which)) {
+        for (const P& coordinate : triangles_.turn(which)) {
             if (!coordinate.is_zero()) return try_roots(coordinate, part);
         }
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Polynomial difference = which.side == 0 ? triangles_.difference(which.corner, which.edge, axis)
-                                                          : triangles_.difference(which.edge, which.corner, axis);
+            const P difference = which.side == 0 ? triangles_.difference(which.corner, which.edge, axis)
+                                                 : triangles_.difference(which.edge, which.corner, axis);
             if (!difference.is_zero()) return try_roots(difference, part);
         }
     }
 
-    std::vector<Root> roots_of(const Polynomial& p) {
+    std::vector<RootOf<P>> roots_of(const P& p) {
         if (cells_ == nullptr) return roots_in_unit_interval(p);
         auto roots = simple_roots_in(p, {Integer(cells_->m), cells_->bits}, cells_->count);
         is_known_ = is_known_ && roots;
-        return roots ? std::move(*roots) : std::vector<Root>();
+        return roots ? std::move(*roots) : std::vector<RootOf<P>>();
     }
 
     // Sets first_ to the first root of p at which one of the pairs in `part` shares a point, if that root is before
     // first_.
-    void try_roots(const Polynomial& p, FeatureSet part) {
-        for (Root& time : roots_of(p)) {
+    void try_roots(const P& p, FeatureSet part) {
+        for (RootOf<P>& time : roots_of(p)) {
             if (first_ && compare(time, *first_) >= 0) return;
             if (first_shared(part, time) == nullptr) continue;
             first_ = std::move(time);
@@ -93,20 +93,22 @@ class MeetingSearch {
         }
     }
 
-    RelativePosition& triangles_;
+    RelativePositionOf<P>& triangles_;
     FeatureSet features_;
     const TimeCells* cells_;  // null: all times in [0, 1]
     bool is_known_ = true;
-    std::optional<Root> first_;
+    std::optional<RootOf<P>> first_;
 };
 
 }  // namespace
 
-std::optional<Meeting> first_meeting(RelativePosition& triangles) {
+template <class P>
+std::optional<Meeting> first_meeting(RelativePositionOf<P>& triangles) {
     return MeetingSearch(triangles, all_features, nullptr).run().meeting;
 }
 
-PartialAnswer first_meeting_in(RelativePosition& triangles, const TimeCells& cells, FeatureSet features) {
+template <class P>
+PartialAnswer first_meeting_in(RelativePositionOf<P>& triangles, const TimeCells& cells, FeatureSet features) {
     return MeetingSearch(triangles, features, &cells).run();
 }
 
@@ -130,5 +132,10 @@ std::optional<TimeCells> cells_around(const TimeSpan& time) noexcept {
     const std::int64_t last = (std::int64_t{1} << std::min(bits, 62)) - 1;
     return TimeCells{std::min(m, last), bits, m < last ? 2 : 1};
 }
+
+template std::optional<Meeting> first_meeting(RelativePosition&);
+template std::optional<Meeting> first_meeting(RelativePositionOf<Quintic>&);
+template PartialAnswer first_meeting_in(RelativePosition&, const TimeCells&, FeatureSet);
+template PartialAnswer first_meeting_in(RelativePositionOf<Quintic>&, const TimeCells&, FeatureSet);
 
 }  // namespace ecods::exact

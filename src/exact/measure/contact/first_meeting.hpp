@@ -1,9 +1,9 @@
 // first_meeting computes exactly the first time at which two moving triangles share a point.
 //
-// Take two closed triangles whose corners move continuously and which share no point at time 0. Let each polynomial of
-// their RelativePosition have a degree of at most 3. Let M be the set of times in [0, 1] at which they share a point. M
-// is closed, since the set of (time, point of one, point of the other) is compact. Let s > 0 be its least element. A
-// triangle without area is the segment or the point that its corners span.
+// Take two closed triangles whose corners move continuously and which share no point at time 0. Let M be the set of
+// times in [0, 1] at which they share a point. M is closed, since the set of (time, point of one, point of the other)
+// is compact. Let s > 0 be its least element. A triangle without area is the segment or the point that its corners
+// span.
 //
 // 1. At time s a corner of one triangle is in the other closed triangle, or two closed edges share a point. For let x
 // be an extreme point of the intersection, which is convex. The relatively open features of the two triangles that
@@ -13,7 +13,7 @@
 // contradicts the choice of s.
 //
 // 2. So s is the least of the first times of 15 pairs: a corner and a triangle, or two edges. Let P be such a pair,
-// with four corners, and v(t) the volume of these, a polynomial of degree 3 at most. P shares a point only at times at
+// with four corners, and v(t) the volume of these, a polynomial. P shares a point only at times at
 // which v is zero. So, unless v is the zero polynomial, the first time of P is the first root of v at which P shares a
 // point.
 //
@@ -30,7 +30,7 @@
 // begins at p, or a root that 3 finds. At least one of these coordinates is not the zero polynomial, or c and p would
 // have met at time 0.
 //
-// The candidates for s are therefore the roots of at most 15 cubics, or, in place of a cubic that is zero, of some
+// The candidates for s are therefore the roots of at most 15 polynomials, or, in place of one that is zero, of some
 // other polynomials. At each candidate only the pair that it comes from is tested.
 //
 // All of this remains true if time 0 is replaced by any time up to which the triangles share no point. If only certain
@@ -52,7 +52,8 @@ struct Meeting {
 };
 
 // Returns the first meeting in [0, 1]; nullopt if there is none. The triangles must not share a point at time 0.
-std::optional<Meeting> first_meeting(RelativePosition& triangles);
+template <class P>
+std::optional<Meeting> first_meeting(RelativePositionOf<P>& triangles);
 
 // An interval of time, from m / 2^bits to (m + count) / 2^bits, which is at most 1.
 struct TimeCells {
@@ -73,6 +74,7 @@ struct PartialAnswer {
 // Finds the first meeting before the end of the cells. The triangles must share no point up to the beginning of the
 // cells, and in the cells only pairs of `features` may share points. If a cell contains several candidates, is_known is
 // false in the result.
-PartialAnswer first_meeting_in(RelativePosition& triangles, const TimeCells& cells, FeatureSet features);
+template <class P>
+PartialAnswer first_meeting_in(RelativePositionOf<P>& triangles, const TimeCells& cells, FeatureSet features);
 
 }  // namespace ecods::exact

@@ -36,8 +36,13 @@ struct HalfAngle {
 // Bounds how a turn between two times differs from a straight motion between the same places (turning_points.hpp).
 struct TurnPiece {
     double sagitta = std::numeric_limits<double>::infinity();  // of a point at distance 1 from the axis
+    double chord = 0;                                          // way of such a point on its straight motion
     double shift = 0;                                          // of a pivot that glides by 1 in the piece; below 2^20
     double pace = 0;                                           // least weight, divided by the greatest one
+
+    // Returns an upper bound of how far a point at distance 1 from the axis is from its straight motion at the same
+    // time of the piece, in place of the time at which that is nearest.
+    ECODS_ALWAYS_INLINE double lag() const noexcept { return (sagitta + shift * chord) * (1 + 8 * two_u); }
 
     // Return the least and the greatest part of the time of the piece at which the straight motion may have gone the
     // part `way` of its way, rounded outwards.
@@ -103,6 +108,7 @@ class TurnAngles {
         if (!(least > 0x1p-20 * most)) return {};
         TurnPiece result;
         result.sagitta = sin * sin / (1 + cos) * (1 + 16 * two_u) + 0x1p-1000;
+        result.chord = 2 * sin * (1 + 8 * two_u) + 0x1p-1000;
         const double step = std::max(std::abs(w1 - 1), std::abs(w2 - w1)) + 16 * off * most;
         result.shift = step / (4 * least) * (1 + 32 * off);
         result.pace = least / most * (1 - 32 * off);

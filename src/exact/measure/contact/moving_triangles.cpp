@@ -3,6 +3,7 @@
 #include "exact/point/vectors.hpp"
 
 namespace ecods::exact {
+
 Polynomial MovingTriangles::difference(std::size_t i, std::size_t j, std::size_t axis) const {
     return corners_[0][i][axis] - corners_[1][j][axis];
 }
@@ -30,30 +31,36 @@ Polynomial MovingTriangles::edge_volume(std::size_t edge_a, std::size_t edge_b) 
                minus(q, p));
 }
 
+template <class P>
 template <class Make>
-int TrianglesAtRoot::sign_of(std::int8_t& known, const Make& make) {
+int TrianglesAtRoot<P>::sign_of(std::int8_t& known, const Make& make) {
     if (known == unknown) known = static_cast<std::int8_t>(time_.sign_of(make()));
     return known;
 }
 
-int TrianglesAtRoot::order(std::size_t i, std::size_t j, std::size_t axis) {
+template <class P>
+int TrianglesAtRoot<P>::order(std::size_t i, std::size_t j, std::size_t axis) {
     return sign_of(orders_[9 * i + 3 * j + axis], [&] { return triangles_.difference(i, j, axis); });
 }
 
-int TrianglesAtRoot::turn(const CornerAndEdge& which, std::size_t axis) {
+template <class P>
+int TrianglesAtRoot<P>::turn(const CornerAndEdge& which, std::size_t axis) {
     return sign_of(turns_[3 * index_of(which) + axis], [&] { return triangles_.turn(which)[axis]; });
 }
 
-int TrianglesAtRoot::corner_volume(std::size_t side, std::size_t corner) {
+template <class P>
+int TrianglesAtRoot<P>::corner_volume(std::size_t side, std::size_t corner) {
     return sign_of(volumes_[3 * side + corner], [&] { return triangles_.corner_volume(side, corner); });
 }
 
-int TrianglesAtRoot::edge_volume(std::size_t edge_a, std::size_t edge_b) {
+template <class P>
+int TrianglesAtRoot<P>::edge_volume(std::size_t edge_a, std::size_t edge_b) {
     return sign_of(volumes_[6 + 3 * edge_a + edge_b], [&] { return triangles_.edge_volume(edge_a, edge_b); });
 }
 
 // True if a corner is in an edge without its ends: on the edge's line and, on some axis, strictly between the ends.
-bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
+template <class P>
+bool TrianglesAtRoot<P>::is_inside_edge(const CornerAndEdge& which) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (turn(which, axis) != 0) return false;
     }
@@ -69,7 +76,8 @@ bool TrianglesAtRoot::is_inside_edge(const CornerAndEdge& which) {
 // True if a corner is in a face without its edges: in the face's plane and, seen along some axis, strictly on the same
 // side of all three edges. The three turns add up to the face's normal, so if they have the same sign, the face has an
 // area when seen along that axis.
-bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
+template <class P>
+bool TrianglesAtRoot<P>::is_inside_face(std::size_t side, std::size_t corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int sign = turn({side, corner, 0}, axis);
         if (sign != 0 && turn({side, corner, 1}, axis) == sign && turn({side, corner, 2}, axis) == sign) {
@@ -82,7 +90,8 @@ bool TrianglesAtRoot::is_inside_face(std::size_t side, std::size_t corner) {
 // True if two edges cross: they are in one plane and, seen along some axis, the ends of each edge are strictly on
 // different sides of the other. The two turns of an edge's ends differ by the cross product of both edges. So if they
 // have opposite signs, the edges are not parallel, and the projection along that axis is one to one on their plane.
-bool TrianglesAtRoot::edges_cross(std::size_t edge_a, std::size_t edge_b) {
+template <class P>
+bool TrianglesAtRoot<P>::edges_cross(std::size_t edge_a, std::size_t edge_b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (turn({0, edge_a, edge_b}, axis) * turn({0, next_corner(edge_a), edge_b}, axis) < 0 &&
             turn({1, edge_b, edge_a}, axis) * turn({1, next_corner(edge_b), edge_a}, axis) < 0) {
@@ -92,7 +101,8 @@ bool TrianglesAtRoot::edges_cross(std::size_t edge_a, std::size_t edge_b) {
     return false;
 }
 
-bool TrianglesAtRoot::share_point(const FeaturePair& features) {
+template <class P>
+bool TrianglesAtRoot<P>::share_point(const FeaturePair& features) {
     const std::size_t side = features.vertex_side;
     switch (features.kind) {
         case FeatureKind::vertex_vertex:
@@ -107,5 +117,8 @@ bool TrianglesAtRoot::share_point(const FeaturePair& features) {
     }
     return false;
 }
+
+template class TrianglesAtRoot<Polynomial>;
+template class TrianglesAtRoot<Quintic>;
 
 }  // namespace ecods::exact

@@ -40,9 +40,10 @@ class MovingTriangles final : public RelativePosition {
 };
 
 // Evaluates the relative position of two moving triangles at one time.
+template <class P>
 class TrianglesAtRoot {
   public:
-    TrianglesAtRoot(RelativePosition& triangles, Root& time) noexcept : triangles_(triangles), time_(time) {
+    TrianglesAtRoot(RelativePositionOf<P>& triangles, RootOf<P>& time) noexcept : triangles_(triangles), time_(time) {
         orders_.fill(unknown);
         turns_.fill(unknown);
         volumes_.fill(unknown);
@@ -67,8 +68,8 @@ class TrianglesAtRoot {
     bool is_inside_face(std::size_t side, std::size_t corner);
     bool edges_cross(std::size_t edge_a, std::size_t edge_b);
 
-    RelativePosition& triangles_;
-    Root& time_;
+    RelativePositionOf<P>& triangles_;
+    RootOf<P>& time_;
     std::array<std::int8_t, 27> orders_;
     std::array<std::int8_t, 54> turns_;
     std::array<std::int8_t, 15> volumes_;

@@ -18,12 +18,15 @@ class Sieve {
         for (std::size_t k = 0; k < 3; ++k) error_[k] = corners.error()[k] + 2.25 * length * way[k];
         edges_ = edges_of(p_);
     }
-    Sieve(const TurningPoints& points, const TimeSpan& time) noexcept {
-        const TurningCorners corners(points);
+    Sieve(const TurningPoints& points, const TimeSpan& time) noexcept : Sieve(TurningCorners(points), time) {}
+    Sieve(const BothTurningPoints& points, const TimeSpan& time) noexcept : Sieve(BothTurningCorners(points), time) {}
+
+    template <class Corners>
+    Sieve(const Corners& corners, const TimeSpan& time) noexcept {
         is_bounded_ = corners.is_bounded();
         if (!is_bounded_) return;
         const double length = time.to - time.from;
-        const TurningCorners::At at = corners.at(time.from + 0.5 * length);
+        const typename Corners::At at = corners.at(time.from + 0.5 * length);
         p_ = at.points;
         const double way = corners.way(at, length);
         for (std::size_t k = 0; k < 3; ++k) error_[k] = at.error[k] + 1.125 * way;
@@ -98,6 +101,10 @@ FeatureSet possible_features(const MovingPoints& points, const TimeSpan& time) n
 }
 
 FeatureSet possible_features(const TurningPoints& points, const TimeSpan& time) noexcept {
+    return Sieve(points, time).run();
+}
+
+FeatureSet possible_features(const BothTurningPoints& points, const TimeSpan& time) noexcept {
     return Sieve(points, time).run();
 }
 

@@ -22,22 +22,26 @@ constexpr std::size_t index_of(const CornerAndEdge& which) noexcept {
 }
 
 // Each polynomial is the number that its function names, times a factor that depends on the time alone and is positive
-// at all times from 0 to 1.
-class RelativePosition {
+// at all times from 0 to 1: the same for all turns, for all volumes, and for all differences. P is the type of the
+// polynomials, for their greatest degree.
+template <class P>
+class RelativePositionOf {
   public:
-    using Vector = std::array<Polynomial, 3>;
+    using Vector = std::array<P, 3>;
 
-    virtual ~RelativePosition() = default;
+    virtual ~RelativePositionOf() = default;
 
     // Returns coordinate `axis` of corner i of the first triangle minus corner j of the second.
-    virtual Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const = 0;
+    virtual P difference(std::size_t i, std::size_t j, std::size_t axis) const = 0;
     // Returns (q - p) x (c - p) for the edge from p to q and the corner c. It is zero if and only if c is on the line
     // of the edge, or p = q. The result is kept.
     virtual const Vector& turn(const CornerAndEdge& which) = 0;
     // Return six times the signed volume of four corners: a corner and the other triangle, or an edge of each triangle.
     // It is zero if and only if the four corners are in one plane.
-    virtual Polynomial corner_volume(std::size_t side, std::size_t corner) = 0;
-    virtual Polynomial edge_volume(std::size_t edge_a, std::size_t edge_b) const = 0;
+    virtual P corner_volume(std::size_t side, std::size_t corner) = 0;
+    virtual P edge_volume(std::size_t edge_a, std::size_t edge_b) const = 0;
 };
+
+using RelativePosition = RelativePositionOf<Polynomial>;
 
 }  // namespace ecods::exact

@@ -31,52 +31,164 @@
 
 namespace ecods::exact {
 
-// Holds the rounded corners of both triangles at time 0, the pivot at time 0 and its way, and upper bounds of the
-// errors of corners and of the pivot on any axis. `angles` must outlive users.
-struct TurningPoints {
-    Points<6> start;
-    double start_error;
+// The turn of rounded corners: the pivot at time 0 and its way, with upper bounds of their errors on any axis. `angles`
+// must outlive users.
+struct TurnOfPoints {
     Point pivot, glide;
     double pivot_error, glide_error;
     const TurnAngles* angles;
 };
 
-class TurningCorners {
+// Holds the rounded corners of both triangles at time 0, and an upper bound of their errors on any axis. The first
+// triangle turns.
+struct TurningPoints {
+    Points<6> start;
+    double start_error;
+    TurnOfPoints turn;
+};
+
+// Three corners that turn.
+class TurningSide {
   public:
     static constexpr double underflow = 0x1p-600;
 
-    ECODS_ALWAYS_INLINE explicit TurningCorners(const TurningPoints& points) noexcept : angles_(*points.angles) {
-        const Point origin = points.start[0];
-        double most_before = std::max(points.start_error, points.pivot_error), size = 0, radius = 0;
-        std::array<Point, 3> arm;
-        for (std::size_t i = 0; i < 6; ++i) {
-            most_before = std::max(most_before, largest(points.start[i]));
-            start_[i] = minus(points.start[i], origin);
-            for (std::size_t k = 0; k < 3; ++k) most_[k] = std::max(most_[k], std::abs(start_[i][k]));
-        }
-        most_before = std::max({most_before, largest(points.pivot), largest(points.glide)});
+    // Takes a triangle of `points`. scale() must follow.
+    ECODS_ALWAYS_INLINE TurningSide(const Points<6>& points, std::size_t first, const TurnOfPoints& turn) noexcept
+        : turn_(turn) {
         for (std::size_t i = 0; i < 3; ++i) {
-            arm[i] = minus(points.start[i], points.pivot);
-            arm_ = std::max(arm_, sum_of_magnitudes(arm[i]));
+            across_[i] = minus(points[first + i], turn.pivot);
+            arm_ = std::max(arm_, sum_of_magnitudes(across_[i]));
         }
-        size = std::max({largest(most_), largest(points.glide), arm_});
-        is_bounded_ = most_before < 0x1p1000 && size > 0x1p-400 && angles_.is_bounded();
-        const double scale = MovingCorners::inverse_power(size);
-        for (Point& p : start_) p = times(p, scale);
-        most_ = times(most_, scale);
-        glide_ = times(points.glide, scale);
+    }
+    // Return the largest of the numbers given, and of those computed at any time.
+    ECODS_ALWAYS_INLINE double largest_given() const noexcept {
+        return std::max({turn_.pivot_error, largest(turn_.pivot), largest(turn_.glide)});
+    }
+    ECODS_ALWAYS_INLINE double size() const noexcept { return std::max(largest(turn_.glide), arm_); }
+    ECODS_ALWAYS_INLINE const TurnAngles& angles() const noexcept { return *turn_.angles; }
+
+    // Multiplies all lengths by a power of two. `start_error` is that of the scaled corners.
+    ECODS_ALWAYS_INLINE void scale(double scale, double start_error) noexcept {
+        double radius = 0;
+        glide_ = times(turn_.glide, scale);
         arm_ *= scale;
-        start_error_ = scale * points.start_error;
-        glide_error_ = scale * points.glide_error;
-        arm_error_ = start_error_ + (scale * points.pivot_error + 2 * two_u * arm_);
+        glide_error_ = scale * turn_.glide_error;
+        arm_error_ = start_error + (scale * turn_.pivot_error + 2 * two_u * arm_);
         for (std::size_t i = 0; i < 3; ++i) {
-            across_[i] = cross(angles_.axis(), times(arm[i], scale));
-            inwards_[i] = cross(angles_.axis(), across_[i]);
+            across_[i] = cross(angles().axis(), times(across_[i], scale));
+            inwards_[i] = cross(angles().axis(), across_[i]);
             radius = std::max(radius, dot(across_[i], across_[i]));
         }
         // An upper bound: the errors are those of d1, for which sqrt(3) (1.42 e_g + 6.2 u' G) is less than these terms.
         radius_ = std::sqrt(radius) * (1 + 8 * two_u) + 4 * arm_error_ + 16 * two_u * arm_ + underflow;
         way_ = std::sqrt(dot(glide_, glide_)) * (1 + 8 * two_u) + 2 * glide_error_;
+    }
+
+    // Sets corners to their places at a time, in place of those at time 0, and adds to the factors of the error bound
+    // of gaps what is there because they turn.
+    ECODS_ALWAYS_INLINE void turn(const HalfAngle& half, Points<6>& points, std::size_t first,
+                                  Point& error) const noexcept {
+        const double turned = 2 * half.sin * half.cos, inward = 2 * half.sin * half.sin, sin = std::abs(half.sin);
+        const double is_off = half.condition < TurnAngles::condition_max ? 0 : std::numeric_limits<double>::infinity();
+        const double common = 1.125 * (half.time * glide_error_ + 8 * sin * arm_error_) +
+                              256 * two_u * (1 + half.condition) * sin * arm_ + is_off;
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                points[first + i][k] =
+                    ((points[first + i][k] + half.time * glide_[k]) + turned * across_[i][k]) + inward * inwards_[i][k];
+            }
+            error[k] += common + 32 * two_u * half.time * std::abs(glide_[k]);
+        }
+    }
+
+    // Return upper bounds, on each axis, of how far corners are from their straight motion, for a piece of this length
+    // in time: at the time at which that is nearest, and at the same time. A sagitta is across the axis of the turn, so
+    // coordinate k of a vector of this length is at most sqrt(1 - e_k^2) of it; both other coordinates of e are off by
+    // 4.01 u' of themselves, or lost if they are below 2^-500. So is a chord. A glide that is lost to underflow is
+    // below 2^-620.
+    ECODS_ALWAYS_INLINE Point margins(const TurnPiece& piece, double length) const noexcept {
+        Point result;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double way = std::abs(glide_[k]) + 2 * glide_error_;
+            result[k] =
+                (radius_ * piece.sagitta * across(k) + way * length * piece.shift) * (1 + 16 * two_u) + underflow;
+        }
+        return result;
+    }
+    ECODS_ALWAYS_INLINE Point lags(const TurnPiece& piece) const noexcept {
+        Point result;
+        for (std::size_t k = 0; k < 3; ++k) {
+            result[k] = radius_ * piece.lag() * across(k) * (1 + 16 * two_u) + underflow;
+        }
+        return result;
+    }
+    // Returns an upper bound of the way of a corner from the time of `half` to any time at most `span` from it.
+    ECODS_ALWAYS_INLINE double way(const HalfAngle& half, double span) const noexcept {
+        return 1.0625 * span * (way_ + 2 * radius_ * angles().speed(half, span)) + underflow;
+    }
+
+  private:
+    ECODS_ALWAYS_INLINE double across(std::size_t k) const noexcept {
+        const Point& e = angles().axis();
+        const double x = e[(k + 1) % 3], y = e[(k + 2) % 3];
+        return std::sqrt(x * x + y * y) * (1 + 16 * two_u) + 0x1p-499;
+    }
+
+    const TurnOfPoints& turn_;
+    std::array<Point, 3> across_, inwards_;  // d1 and d2; g before scale()
+    Point glide_{};
+    double arm_ = 0;                          // G
+    double arm_error_ = 0, glide_error_ = 0;  // e_g, e_m
+    double radius_ = 0, way_ = 0;             // upper bounds of the distance from the axis, and of |m|
+};
+
+// Six corners at time 0, relative to the first one, which the others are near.
+class StartCorners {
+  public:
+    ECODS_ALWAYS_INLINE StartCorners(const Points<6>& start, double start_error) noexcept
+        : error_(start_error), largest_given_(start_error) {
+        for (std::size_t i = 0; i < 6; ++i) {
+            largest_given_ = std::max(largest_given_, largest(start[i]));
+            points_[i] = minus(start[i], start[0]);
+            for (std::size_t k = 0; k < 3; ++k) most_[k] = std::max(most_[k], std::abs(points_[i][k]));
+        }
+    }
+    ECODS_ALWAYS_INLINE double largest_given() const noexcept { return largest_given_; }
+    ECODS_ALWAYS_INLINE double size() const noexcept { return largest(most_); }
+
+    // Scales these corners, and sides that turn, so that the largest length is about 1. Returns false if the error
+    // bounds do not hold.
+    template <class... Side>
+    ECODS_ALWAYS_INLINE bool scale(Side&... sides) noexcept {
+        const double given = std::max({largest_given_, sides.largest_given()...});
+        const double size = std::max({largest(most_), sides.size()...});
+        const double scale = MovingCorners::inverse_power(size);
+        for (Point& p : points_) p = times(p, scale);
+        most_ = times(most_, scale);
+        error_ *= scale;
+        (sides.scale(scale, error_), ...);
+        return given < 0x1p1000 && size > 0x1p-400 && (sides.angles().is_bounded() && ...);
+    }
+
+    const Points<6>& points() const noexcept { return points_; }
+    // Returns factors of the error bound of gaps, as in MovingCorners::error_at(), if nothing turns.
+    ECODS_ALWAYS_INLINE Point errors() const noexcept {
+        Point result;
+        for (std::size_t k = 0; k < 3; ++k) result[k] = 1.125 * 2 * error_ + 32 * two_u * most_[k];
+        return result;
+    }
+
+  private:
+    Points<6> points_;
+    Point most_{};
+    double error_, largest_given_;  // e_p
+};
+
+class TurningCorners {
+  public:
+    ECODS_ALWAYS_INLINE explicit TurningCorners(const TurningPoints& points) noexcept
+        : start_(points.start, points.start_error), side_(points.start, 0, points.turn) {
+        is_bounded_ = start_.scale(side_);
     }
 
     // True if all numbers are small enough for the error bounds to hold.
@@ -89,53 +201,23 @@ class TurningCorners {
         Point error;
     };
     ECODS_ALWAYS_INLINE At at(double s) const noexcept {
-        At result{angles_.at(s), start_, {}};
-        const HalfAngle& half = result.half;
-        const double turned = 2 * half.sin * half.cos, inward = 2 * half.sin * half.sin, sin = std::abs(half.sin);
-        const double is_off = half.condition < TurnAngles::condition_max ? 0 : std::numeric_limits<double>::infinity();
-        const double common = 1.125 * (2 * start_error_ + s * glide_error_ + 8 * sin * arm_error_) +
-                              256 * two_u * (1 + half.condition) * sin * arm_ + is_off;
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                result.points[i][k] =
-                    ((start_[i][k] + s * glide_[k]) + turned * across_[i][k]) + inward * inwards_[i][k];
-            }
-            result.error[k] = common + 32 * two_u * (most_[k] + s * std::abs(glide_[k]));
-        }
+        At result{side_.angles().at(s), start_.points(), start_.errors()};
+        side_.turn(result.half, result.points, 0, result.error);
         return result;
     }
 
     ECODS_ALWAYS_INLINE TurnPiece piece(const At& from, const At& to) const noexcept {
-        return angles_.piece(from.half, to.half);
+        return side_.angles().piece(from.half, to.half);
     }
-    // Returns upper bounds, on each axis, of how far corners are from their straight motion, for a piece of this length
-    // in time. A sagitta is across the axis of the turn, so coordinate k of a vector of this length is at most sqrt(1 -
-    // e_k^2) of it; both other coordinates of e are off by 4.01 u' of themselves, or lost if they are below 2^-500. A
-    // glide that is lost to underflow is below 2^-620.
+    // Both do what those of TurningSide do.
     ECODS_ALWAYS_INLINE Point margins(const TurnPiece& piece, double length) const noexcept {
-        const Point& e = angles_.axis();
-        Point result;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double x = e[(k + 1) % 3], y = e[(k + 2) % 3];
-            const double across = std::sqrt(x * x + y * y) * (1 + 16 * two_u) + 0x1p-499;
-            const double way = std::abs(glide_[k]) + 2 * glide_error_;
-            result[k] = (radius_ * piece.sagitta * across + way * length * piece.shift) * (1 + 16 * two_u) + underflow;
-        }
-        return result;
+        return side_.margins(piece, length);
     }
-    // Returns an upper bound of the way of a corner from the time of `at` to any time at most `span` from it.
-    ECODS_ALWAYS_INLINE double way(const At& at, double span) const noexcept {
-        return 1.0625 * span * (way_ + 2 * radius_ * angles_.speed(at.half, span)) + underflow;
-    }
+    ECODS_ALWAYS_INLINE double way(const At& at, double span) const noexcept { return side_.way(at.half, span); }
 
   private:
-    const TurnAngles& angles_;
-    Points<6> start_;
-    Point glide_, most_{};
-    std::array<Point, 3> across_, inwards_;         // d1 and d2 of the corners that turn
-    double arm_ = 0;                                // G
-    double start_error_, arm_error_, glide_error_;  // e_p, e_g, e_m
-    double radius_, way_;                           // upper bounds of the distance from the axis, and of |m|
+    StartCorners start_;
+    TurningSide side_;
     bool is_bounded_;
 };
 

@@ -38,6 +38,11 @@ TurnIntegers::TurnIntegers(double w, const Vec3& v_in_doubles) {
     n = {e * e, eu + eu, u * u + dot(v, v)};
 }
 
+TurnIntegers::Turned TurnIntegers::turned(const LongVector3& g) const {
+    const LongVector3 d = cross(v, g);
+    return {twice(times(e, d)), twice(plus(times(u, d), cross(v, d)))};
+}
+
 void TurningTriangles::set(const std::array<LongVector3, 10>& points) {
     const LongVector3& pivot = points[6];
     m_ = minus(minus(points[7], pivot), minus(points[9], points[8]));
@@ -50,15 +55,10 @@ void TurningTriangles::set(const std::array<LongVector3, 10>& points) {
         const LongVector3 g = minus(p_[i], pivot);
         turning_edge_[i] = minus(p_[next_corner(i)], p_[i]);
         resting_edge_[i] = minus(y_[next_corner(i)], y_[i]);
-        turned_corner_[i] = turned(g);
-        turned_edge_[i] = turned(turning_edge_[i]);
-        turned_moment_[i] = turned(cross(turning_edge_[i], g));
+        turned_corner_[i] = turn_.turned(g);
+        turned_edge_[i] = turn_.turned(turning_edge_[i]);
+        turned_moment_[i] = turn_.turned(cross(turning_edge_[i], g));
     }
-}
-
-TurningTriangles::Turned TurningTriangles::turned(const LongVector3& g) const {
-    const LongVector3 d = cross(turn_.v, g);
-    return {twice(times(turn_.e, d)), twice(plus(times(turn_.u, d), cross(turn_.v, d)))};
 }
 
 // Returns N (start + s way) + s first + s^2 second + s^3 third.
@@ -114,7 +114,7 @@ Polynomial TurningTriangles::corner_volume(std::size_t side, std::size_t corner)
         return over_norm(dot(n, minus(p_[corner], y_[0])), dot(n, m_), dot(n, g.first), dot(n, g.second), {});
     }
     const LongVector3 n = cross(turning_edge_[0], minus(p_[2], p_[0]));
-    const Turned q = turned(n);
+    const Turned q = turn_.turned(n);
     return over_norm(dot(n, minus(y_[corner], p_[0])), -dot(n, m_), dot(q.first, r_[corner]),
                      dot(q.second, r_[corner]) - dot(q.first, m_), -dot(q.second, m_));
 }

@@ -39,7 +39,14 @@ using LongVector3 = std::array<Integer, 3>;
 
 // The numbers E, U, V and the coefficients of N.
 struct TurnIntegers {
+    // The vectors q1(g) and q2(g) of a vector g.
+    struct Turned {
+        LongVector3 first, second;
+    };
+
     TurnIntegers(double w, const Vec3& v);
+
+    Turned turned(const LongVector3& g) const;
 
     Integer e, u;
     LongVector3 v;
@@ -65,17 +72,13 @@ class TurningTriangles final : public RelativePosition {
     Polynomial edge_volume(std::size_t edge_a, std::size_t edge_b) const override;
 
   private:
-    // The vectors q1(g) and q2(g) of a vector g.
-    struct Turned {
-        LongVector3 first, second;
-    };
+    using Turned = TurnIntegers::Turned;
     // The coefficients of a vector beside N times start + s way, of s, s^2 and s^3.
     struct Rest {
         LongVector3 first, second, third = {};
     };
 
     void set(const std::array<LongVector3, 10>& points);
-    Turned turned(const LongVector3& g) const;
     Polynomial over_norm(const Integer& start, const Integer& way, const Integer& first, const Integer& second,
                          const Integer& third) const;
     Vector over_norm(const LongVector3& start, const LongVector3& way, const Rest& rest) const;

@@ -1,0 +1,76 @@
+#include "query/cast/both_turning_pairs.hpp"
+
+#include <algorithm>
+
+#include "base/arithmetic.hpp"
+#include "exact/measure/contact/both_turning_triangles.hpp"
+#include "query/cast/turn_vector.hpp"
+#include "query/shape/mesh_tree.hpp"
+
+namespace ecods {
+
+void BothTurningPairs::bind(const Turning<MeshShape>& a, const Turning<MeshShape>& b, CastCounts& counts) {
+    a_ = &a;
+    b_ = &b;
+    counts_ = &counts;
+    const std::array<exact::BodyRef, 2> bodies{{{&a.what->mesh(), &MeshShapeAccess::tree(*a.what).extent, &a.pose},
+                                                {&b.what->mesh(), &MeshShapeAccess::tree(*b.what).extent, &b.pose}}};
+    frame_.bind(bodies);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Turn& turn = body(side).turn;
+        angles_[side] = exact::TurnAngles(turn.q.w, vector_of(turn.q));
+        exact::TurnOfPoints& points = turns_[side];
+        points.angles = &angles_[side];
+        double way_size = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            points.pivot[k] = turn.pivot_from[axis] - a.pose.t[axis];
+            points.glide[k] = turn.pivot_to[axis] - turn.pivot_from[axis];
+            way_size += std::abs(points.glide[k]);
+        }
+        points.pivot_error = 2 * two_u * exact::largest(points.pivot) + 0x1p-1000;
+        points.glide_error = 2 * two_u * way_size + 0x1p-1000;
+    }
+    integers_.reset();
+    known_.clear();
+}
+
+std::array<exact::VertexRef, 6> BothTurningPairs::corners_of(const TrianglePair& triangles) const {
+    return exact::corners_of(mesh(0).triangles()[triangles.a], mesh(1).triangles()[triangles.b]);
+}
+
+exact::BothTurningPoints BothTurningPairs::points_of(const TrianglePair& triangles) {
+    return {frame_.rounded(corners_of(triangles)), std::max(frame_.delta(0), frame_.delta(1)), turns_};
+}
+
+std::optional<exact::TimeSpan> BothTurningPairs::bound(const TrianglePair& triangles, double from, double to,
+                                                       exact::Effort effort) {
+    ++counts_->enclosures;
+    return exact::bound_first_meeting(points_of(triangles), from, to, effort);
+}
+
+template <class Function>
+auto BothTurningPairs::ask_exactly(const TrianglePair& triangles, Function&& ask) {
+    ++counts_->exact;
+    if (!integers_) {
+        const auto integers_of = [&](const Turn& turn) { return exact::TurnIntegers(turn.q.w, vector_of(turn.q)); };
+        integers_ = {integers_of(a_->turn), integers_of(b_->turn)};
+    }
+    static const Pose world;
+    exact::PosedPoints<10> points;
+    std::ranges::copy(frame_.posed(corners_of(triangles)), points.begin());
+    for (std::size_t side = 0; side < 2; ++side) {
+        points[6 + 2 * side] = {&world, &body(side).turn.pivot_from};
+        points[7 + 2 * side] = {&world, &body(side).turn.pivot_to};
+    }
+    return exact::with_integers(points, [&](const auto& integers) {
+        exact::BothTurningTriangles turning(integers, (*integers_)[0], (*integers_)[1]);
+        return ask(turning);
+    });
+}
+
+std::optional<exact::Meeting> BothTurningPairs::decide(const TrianglePair& triangles, exact::TimeSpan time, double to) {
+    return MeetingDecision(*this, known_, triangles).decide(time, to);
+}
+
+}  // namespace ecods
