@@ -16,7 +16,7 @@
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/checks/truth.hpp"
-#include "fuzz/checks/way_questions.hpp"
+#include "fuzz/checks/way_bodies.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/rounded.hpp"
 #include "oracle/rounded_motion.hpp"

@@ -12,25 +12,14 @@
 #include "ecods/hit.hpp"
 #include "ecods/rounded.hpp"
 #include "fuzz/base/failure.hpp"
-#include "fuzz/base/user_shape.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/checks/truth.hpp"
+#include "fuzz/checks/way_bodies.hpp"
 #include "scenes/numbers_of.hpp"
 #include "scenes/random.hpp"
 
 namespace ecods::fuzz {
 namespace {
-
-// Asking all pairs takes long where bodies are many, or have many triangles; and where numbers differ much in size, so
-// that integers are long, some hundred times as long.
-constexpr std::size_t few = 24, very_few = 12;
-constexpr std::size_t triangle_pairs_max = 20000, triangle_pairs_max_of_long_integers = 200;
-constexpr double moderate_min = 0x1p-64, moderate_max = 0x1p64;
-
-Posed<MeshShape> mesh_at(const Shape& shape, const Pose& pose) {
-    const auto* user = dynamic_cast<const UserShape*>(&shape);
-    return {user != nullptr ? user->as_mesh_shape() : dynamic_cast<const MeshShape&>(shape), pose};
-}
 
 template <class Line>
 std::vector<Hit> hits_of(const Line& line, const Shape& shape, const Pose& pose, QueryMemory& memory) {
@@ -51,11 +40,6 @@ std::optional<FirstContact> cast_of(const World& world, BodyId a, const Vec3& mo
     const Posed<Rounded> moved(*round_a, at_a);
     if (round_b == nullptr) return cast(moved, motion, mesh_at(*second, at_b), 1, memory);
     return cast(moved, motion, Posed<Rounded>(*round_b, at_b), 1, memory);
-}
-
-bool is_moderate(const auto& numbers) {
-    const auto sizes = numbers.array().abs();
-    return (sizes == 0 || (sizes >= moderate_min && sizes <= moderate_max)).all();
 }
 
 // Everything but the order of hits whose parameters round to the same.
@@ -142,40 +126,6 @@ void check_line(std::span<World* const> worlds, const Line& line, const std::opt
 }
 
 }  // namespace
-
-Posed<MeshShape> mesh_at(const World& world, BodyId body) {
-    return mesh_at(*world.shape(body), world.pose(body));
-}
-
-Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Random& random) {
-    const BodyId body = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
-    const Aabb box = world.box(body);
-    Vec3 point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = random.below(2) == 0 ? box.min[axis] : box.max[axis];
-    if (random.below(3) != 0) {
-        const auto mesh = mesh_of(*world.shape(body));
-        const auto vertices = mesh->vertices();
-        const Pose pose = world.pose(body);
-        const auto vertex = [&] { return vertices[random.below(static_cast<std::uint32_t>(vertices.size()))]; };
-        point = pose.R * vertex() + pose.t;
-        if (random.below(3) == 0) point = 0.5 * (point + (pose.R * vertex() + pose.t));
-    }
-    return point.allFinite() ? point : Vec3(0, 0, 0);
-}
-
-bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies) {
-    std::size_t count = 0, pairs = 0;
-    bool has_moderate_numbers = true;
-    for (const BodyId body : bodies) {
-        const auto mesh = mesh_of(*world.shape(body));
-        pairs += count * mesh->triangles().size();
-        count += mesh->triangles().size();
-        const Pose pose = world.pose(body);
-        has_moderate_numbers = has_moderate_numbers && is_moderate(pose.R) && is_moderate(pose.t) &&
-                               std::ranges::all_of(mesh->vertices(), [](const Vec3& v) { return is_moderate(v); });
-    }
-    return pairs <= (has_moderate_numbers ? triangle_pairs_max : triangle_pairs_max_of_long_integers);
-}
 
 void check_hits(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
     const World& first = *worlds.front();
@@ -276,20 +226,7 @@ void check_meetings(std::span<World* const> worlds, std::uint32_t seed, Counters
             if (contact) expected.push_back({{bodies[i], bodies[j]}, *contact});
         }
     }
-    std::ranges::stable_sort(expected, {}, [](const Meeting& meeting) { return meeting.contact.time; });
-    for (World* world : worlds) {
-        const auto got = world->meetings(moved, poses);
-        const auto fields_of = [&](const Meeting& meeting) {
-            return std::tuple(meeting.contact.time, numbers_of(meeting.bodies.a), numbers_of(meeting.bodies.b));
-        };
-        bool is_same = std::ranges::equal(got, expected, {}, fields_of, fields_of);
-        for (std::size_t i = 0; is_same && i < got.size(); ++i) {
-            const bool are_meshes = first.shape(expected[i].bodies.a)->kind() == ShapeKind::mesh() &&
-                                    first.shape(expected[i].bodies.b)->kind() == ShapeKind::mesh();
-            is_same = !are_meshes || got[i].contact == expected[i].contact;
-        }
-        if (!is_same) throw CheckFailed("meetings", text(expected), text(got));
-    }
+    require_meetings(worlds, expected, moved, poses);
     ++counters["checked: moves of worlds"];
     counters["checked: pairs that meet on the way"] += expected.size();
 }

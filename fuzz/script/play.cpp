@@ -199,8 +199,10 @@ void Player::check_ways() {
     check_convex(worlds, seed, counters_);
     if (check_count_ % 2 == 0) check_casts(worlds, seed, counters_);
     if (check_count_ % 2 == 1) check_contacts(worlds, seed, counters_);
-    // Rounded bodies between poses are refused (rounded.hpp).
-    if (check_count_ % 2 == 1 && !truth_.has_rounded()) check_meetings(worlds, seed, counters_);
+    // Rounded bodies between poses, or turning, are refused (rounded.hpp).
+    if (truth_.has_rounded()) return;
+    if (check_count_ % 2 == 1) check_meetings(worlds, seed, counters_);
+    if (check_count_ % 3 == 1) check_turns(worlds, seed, counters_);
 }
 
 // In the environment of every program as it starts, and in another one: by turns where worlds are large.

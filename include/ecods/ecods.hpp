@@ -20,6 +20,7 @@
 //     find penetration, separation?                         signed_distance, depth, depth_bounds; within
 //     get contact points and normals?                       contact_patch (convex); intersections, close_features
 //     move a joint, turn a door, rigidly?                   about, between; cast of turning bodies (turn.hpp)
+//     move several bodies at once?                          World::meetings; Motion (motion.hpp)
 //     stop at a distance, land without touching?            cast_to_distance; entering, pose_before (cast.hpp)
 //     cast cloth, or a mesh that bends?                     Deforming (deforming.hpp)
 //     have a ground, a wall?                                HalfSpace (half_space.hpp)
@@ -42,6 +43,7 @@
 // clang-format off
 #include "ecods/mesh.hpp"             // triangle meshes
 #include "ecods/pose.hpp"             // where bodies are, and how they move
+#include "ecods/motion.hpp"           // the motion of a body, of any kind
 #include "ecods/shape.hpp"            // shapes: meshes, solids, convex solids, and the caller's own
 #include "ecods/builders.hpp"         // boxes, prisms, polytopes around curved bodies, height fields, clouds
 #include "ecods/primitives.hpp"       // boxes, segments, rays, balls

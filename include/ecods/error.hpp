@@ -108,7 +108,7 @@ enum class Argument : std::uint8_t {
     half_space,   // "normal(0)" or "offset" is NaN or infinite, or "normal" zero
     distance,     // NaN or negative, or infinite where it must not be; "max_gap" is NaN or -infinity
     time,         // a limit is NaN or negative
-    list_length,  // two lists that belong together differ: the number of "poses" is not that of the bodies
+    list_length,  // two lists that belong together differ: the number of "poses" or "motions" is not that of the bodies
     null,         // a "mesh", "shape" or "test" is null
     mesh_and_shape,  // both were given to create a body (BodyOptions)
     size,            // of a builder: "radius", "height", "sizes(0)", "radii(2)", "spacing(1)", "base" is not allowed;

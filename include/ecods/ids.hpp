@@ -53,8 +53,8 @@ struct TrianglePair {
     friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 
-// Lists questions that a two-body test, or a shape (hits), may leave unanswered (shape.hpp). The last two occur only in
-// NotSupported: every test answers `intersects`, and only meshes answer `certify`.
+// Lists questions that a two-body test, or a shape (hits), may leave unanswered (shape.hpp). Two are never put to a
+// test, and occur in NotSupported alone: every test answers `intersects`, and only meshes answer `certify`.
 enum class Question : std::uint8_t {
     relation,
     intersecting_triangles,
@@ -68,6 +68,7 @@ enum class Question : std::uint8_t {
     hits,
     intersects,
     certify,
+    cast_any_motion,
 };
 
 // A ShapeKind is the kind of a shape, by which a World selects the test for two bodies. Kind 0 is the triangle mesh;

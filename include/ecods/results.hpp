@@ -280,6 +280,10 @@ struct BodyHit {
 // A BodyContact is the body that a moving subject meets first, if the exact time is at most max_time. Bodies are
 // compared by their times, each rounded once; if times are equal, the least id is given. `contact.a` is a feature of
 // the moving subject, `contact.b` of `body`.
+//
+// Cost of a translation: that of BroadPhase::visit_along, and a cast for each body whose box is met before the first
+// contact. Of a turn: that of BroadPhase::find for each piece of the turn until the first contact, some dozens near
+// other bodies, and a cast for each body whose box is near these pieces.
 struct BodyContact {
     BodyId body;
     FirstContact contact;
@@ -291,7 +295,8 @@ struct BodyContact {
 // ordered by first time, rounded once, then by pair. Pairs that meet at time 0 are included.
 //
 // Cost: near-linear in the number of bodies listed, of bodies that changed since the last update, and of colliding
-// pairs; and a question for each pair of bodies whose swept boxes overlap.
+// pairs; and a question for each pair of bodies for which the boxes of their ways overlap. (A turn's whole way has one
+// box.)
 struct Meeting {
     BodyPair bodies;
     FirstContact contact;

@@ -34,6 +34,7 @@
 
 #include "ecods/ask.hpp"
 #include "ecods/export.hpp"
+#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
@@ -64,6 +65,14 @@ namespace ecods {
 // times as many pieces. The exact decision of two triangles takes about a millisecond. Throws what the casts of one
 // turn throw, for either body.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Turning<MeshShape>& b,
+                                                         double max_time = 1, const Ask& ask = {});
+
+// Returns the first contact of two bodies that each move in any way, as the casts above and those of cast.hpp do. If b
+// turns and a does not, and several pairs of features tie, the first is chosen as if b came first. Throws NotSupported
+// if one goes straight to another pose and the other one turns or is translated. Cost: that of the cast of these
+// motions; two bodies that are translated are a turn by no angle and a translation.
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Motion& motion_of_a,
+                                                         const Posed<MeshShape>& b, const Motion& motion_of_b,
                                                          double max_time = 1, const Ask& ask = {});
 
 // Returns the turn by `angle` (in radians, counterclockwise seen against the axis) about the axis through the pivot,

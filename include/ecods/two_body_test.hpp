@@ -9,6 +9,7 @@
 #include "ecods/ask.hpp"
 #include "ecods/export.hpp"
 #include "ecods/ids.hpp"
+#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
@@ -62,6 +63,13 @@ class ECODS_API TwoBodyTest {
                                              double max_time, const Ask& ask) const;
     virtual std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
                                                     const Ask& ask) const;
+
+    // Returns the first contact of two shapes that move in any way (turn.hpp), with max_time and times as above. A
+    // World asks this if one turns, or is translated among bodies that move (meetings); a body at rest has the motion
+    // Motion().
+    virtual std::optional<FirstContact> cast_any_motion(const Posed<Shape>& a, const Motion& motion_of_a,
+                                                        const Posed<Shape>& b, const Motion& motion_of_b,
+                                                        double max_time, const Ask& ask) const;
 };
 
 }  // namespace ecods

@@ -8,9 +8,8 @@
 //
 // The world (FCL: CollisionManager; Box3D: b3World; Jolt: PhysicsSystem's queries) owns poses, shapes and boxes. A
 // change (create, destroy, set) takes effect for questions at once, and for the lists at the next update(). No other
-// call is needed to keep answers right. The world does not move bodies, respond to contacts, or draw.
-//
-// statistics.hpp has the world's costs.
+// call is needed to keep answers right. The world does not move bodies, respond to contacts, or draw. For its costs,
+// see statistics.hpp.
 //
 // Lifetimes: a span is valid until the next call that is not const; all other results are returned by value. Arguments
 // may be spans that the world returned. A world that was moved from can be assigned to and destroyed; is_alive()
@@ -40,6 +39,7 @@
 #include "ecods/hit.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
+#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
@@ -67,16 +67,14 @@ class ECODS_API World {
     BodyId create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose);
     BodyId create_body(std::shared_ptr<const Shape> shape, const Pose& pose);
 
-    // Removes the body. Its id, and every copy of the id, is stale from now on. Throws StaleBody if the id is stale
-    // already; so does every call that is given an id.
+    // Removes the body. Its id is stale from now on. Throws StaleBody if it is already; so does every call with an id.
     void destroy_body(BodyId body);
 
     // Sets the pose. To set the same pose again is not a move. Throws InvalidArgument if the pose is not finite.
     void set_pose(BodyId body, const Pose& pose);
 
-    // Sets the poses of all these bodies, or of none if the call throws. If a body is listed twice, its later pose is
-    // set. Throws InvalidArgument if the lists differ in length. An error about one entry (InvalidArgument, StaleBody)
-    // has the entry's index.
+    // Sets the poses of all these bodies, or of none if the call throws; of a body that is listed twice the later one.
+    // Throws InvalidArgument if the lists differ in length. An error about an entry (also StaleBody) has its index.
     void set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses);
 
     // Sets the shape. To set the same object again is not a change. A mesh that deforms is a new shape each time.
@@ -89,17 +87,15 @@ class ECODS_API World {
     std::shared_ptr<const Shape> shape(BodyId body) const;
     Aabb box(BodyId body) const;  // contains the exact body at its present pose and shape
 
-    // Stores a number of the caller's with the body; it is 0 at first. No answer and no digest depends on it.
-    void set_user_data(BodyId body, std::uint64_t data);
-    std::uint64_t user_data(BodyId body) const;
+    void set_user_data(BodyId body, std::uint64_t data);  // a number of the caller's; no answer or digest depends on it
+    std::uint64_t user_data(BodyId body) const;           // set last; 0 at first
 
     // bodies() returns all ids, ascending. next_ids() returns the ids that the next calls of create_body() will give if
     // no body is destroyed: first the ids of free slots, then that of a new slot (WorldOptions::ids). Cost: one pass.
     std::vector<BodyId> bodies() const;
     std::vector<BodyId> next_ids() const;
 
-    // Reserves memory for `body_count` bodies altogether, so that creating them moves nothing.
-    void reserve(std::size_t body_count);
+    void reserve(std::size_t body_count);  // memory for so many bodies altogether: creating them moves nothing
 
     // ---- the clearance
 
@@ -219,8 +215,8 @@ class ECODS_API World {
     // with it. Cost: that of BroadPhase::find.
     [[nodiscard]] std::vector<BodyId> overlapping_bodies(const Aabb& box) const;
 
-    // Returns the bodies that share a point with the subject, ascending. Exact. Cost: that of BroadPhase::find, and a
-    // two-body test for each box that overlaps. (Parry: intersections_with_shape; Box3D: overlap queries.)
+    // Returns the bodies that share a point with the subject, ascending. Exact. Cost: a two-body test for each box that
+    // overlaps, beside BroadPhase::find. (Parry: intersections_with_shape; Box3D: overlap queries.)
     [[nodiscard]] std::vector<BodyId> intersecting_bodies(const Asked& subject, const Ask& ask = {}) const;
 
     // Returns the solids and rounded bodies that contain the point, inside or on their surfaces. Other bodies are not
@@ -235,12 +231,11 @@ class ECODS_API World {
     static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
     // Return the closest pair, and all pairs, whose real distance is at most max_distance, with their points
-    // (ClosestPair says in which order, and which distances are signed). Pairs that are filtered out are skipped. With
-    // groups, only pairs count of which one body is in a group of groups_a and the other one in a group of groups_b, in
-    // any order of the two (CollisionFilter::groups); so the order of both arguments does not matter, and a body may
-    // be in both. Throw InvalidArgument if max_distance is negative or NaN. Need tests that answer Question::within and
-    // Question::distance. If `ask` gives no memory, the executor runs closest_pairs(); calls of several threads then
-    // take turns (ExecutorFailed).
+    // (ClosestPair says in which order, and which distances are signed). With groups, only pairs count of which one
+    // body is in a group of groups_a and the other one in a group of groups_b, in any order (CollisionFilter::groups);
+    // a body may be in both. Throw InvalidArgument if max_distance is negative or NaN. Need tests that answer
+    // Question::within and Question::distance. If `ask` gives no memory, the executor runs closest_pairs(); calls of
+    // several threads then take turns (ExecutorFailed).
     //
     // Cost of closest_pair: that of BroadPhase::visit_near_pairs; with groups, a pass over the bodies, and that of
     // visit_near from each body of the smaller group. The pair that was closest at the last call with the same memory
@@ -254,9 +249,9 @@ class ECODS_API World {
     [[nodiscard]] std::vector<ClosestPair> closest_pairs(double max_distance, std::uint64_t groups_a,
                                                          std::uint64_t groups_b, const Ask& ask = {}) const;
 
-    // Returns the signed distances, without points, of the pairs that closest_pairs(max_distance) lists; ascending by
-    // pair. So signed_distances(0) has those of colliding_pairs(), and with the clearance those of close_pairs(), as
-    // the bodies are now. Throws, and runs the work, as closest_pairs() does.
+    // Returns the signed distances, without points, of the pairs that closest_pairs(max_distance) lists, ascending by
+    // pair: for 0 those of colliding_pairs(), and for the clearance those of close_pairs(), as the bodies are now.
+    // Throws, and runs the work, as closest_pairs() does.
     [[nodiscard]] std::vector<PairDistance> signed_distances(double max_distance, const Ask& ask = {}) const;
 
     // Returns the pairs of convex bodies (ConvexSolids, rounded bodies of the kind rounded_convex()) that share a
@@ -266,9 +261,8 @@ class ECODS_API World {
     [[nodiscard]] std::vector<BodyDepth> depths(const Ask& ask = {}) const;
 
     // Returns the contact patches of those colliding_pairs() that contact_patch() takes, in the order of that list, the
-    // body of the lesser id first. The pairs are those of the last update; bodies that were moved since are where they
-    // are now, and may be apart. Throws SingularPose and InvalidArgument. Cost: a pass over the list, and a
-    // contact_patch() for each such pair.
+    // body of the lesser id first. Bodies that were moved since the last update are where they are now, and may be
+    // apart. Throws SingularPose and InvalidArgument. Cost: a pass over the list, and a contact_patch() for each.
     [[nodiscard]] std::vector<BodyPatch> contact_patches(const PatchLimits& limits = {}, const Ask& ask = {}) const;
 
     // Return the first hit, or all hits, of a segment or ray (hit.hpp) with the bodies; if a filter is given, only with
@@ -288,10 +282,13 @@ class ECODS_API World {
     [[nodiscard]] BodyHitLists all_hits(std::span<const Ray> rays, std::optional<CollisionFilter> filter = {},
                                         const Ask& ask = {}) const;
 
-    // Supposes that the subject is translated by t * `motion` at each time t (cast.hpp); nothing is moved. Returns the
-    // body that it meets first, or nullopt if it meets none up to max_time. Throws InvalidArgument if the motion is not
-    // finite, or max_time is negative or NaN. A max_time above 1 counts as 1. Needs tests that answer Question::cast.
+    // Suppose that the subject is translated by t * `motion` at each time t (cast.hpp), or turns (turn.hpp); nothing is
+    // moved. Return the body that it meets first, or nullopt if it meets none up to max_time, which counts as 1 if it is
+    // greater. Throw the errors of the cast of two bodies. Need tests that answer Question::cast; for a turn
+    // Question::cast_any_motion, which of the library's tests only those of meshes and solids do.
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
+                                                  const Ask& ask = {}) const;
+    [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Turn& turn, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
     // Returns the body that the subject, so translated, enters first (cast.hpp), by rounded times, then ids. Throws
@@ -302,11 +299,14 @@ class ECODS_API World {
     [[nodiscard]] ContactPoint contact_point(const Asked& subject, const Vec3& motion, const BodyContact& contact,
                                              const Ask& ask = {}) const;
 
-    // Returns all pairs that meet while each of the bodies moves from its present pose to its new pose, as Moving does,
-    // and all other bodies stay. Pairs that are filtered out are skipped. Meeting says in which order. If a body is
-    // listed twice, its later pose counts. Throws the errors of set_poses(). Needs tests that answer
-    // Question::cast_moving.
+    // Return all pairs that meet while each of the bodies moves, straight to its new pose or in any way (motion.hpp),
+    // and all other bodies stay. Meeting says in which order. If a body is listed twice, its later motion counts. Throw
+    // the errors of set_poses(), and of validate() for motions. Need tests that answer Question::cast_moving, and
+    // cast_any_motion if a body turns or is translated; then throw NotSupported if two listed bodies turn, or if one
+    // goes straight to another pose and another one turns or is translated.
     [[nodiscard]] std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
+                                                const Ask& ask = {}) const;
+    [[nodiscard]] std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Motion> motions,
                                                 const Ask& ask = {}) const;
 
     // ---- a record of every call that changes the world (trace.hpp)

@@ -48,7 +48,8 @@ InvalidArgument no_normal();
 InvalidArgument invalid_offset(double value);
 InvalidArgument invalid_distance(double value);
 InvalidArgument invalid_time(double value);
-InvalidArgument invalid_list_length(std::size_t body_count, std::size_t pose_count);
+// `what` names the entries of the second list: "poses".
+InvalidArgument invalid_list_length(std::size_t body_count, std::size_t count, const std::string& what = "poses");
 InvalidArgument null_argument(const std::string& name);
 InvalidArgument mesh_and_shape();
 // The functions below make errors about the numbers given to builders.

@@ -5,12 +5,14 @@
 // `fields` passes these kinds of fields, besides the kinds of calls.hpp:
 //
 //     answer     the digest                             number           0 or more, infinity included
-//     line       a segment or a ray                     motion, point, optional_filter, groups
+//     line       a segment or a ray                     motion, turn, point, optional_filter, groups
+//     moved_bodies   as many bodies as motions
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
+#include "ecods/motion.hpp"
 #include "ecods/primitives.hpp"
 #include "trace/calls.hpp"
 
@@ -83,6 +85,23 @@ struct Cast {
 };
 
 template <class Names>
+struct CastTurn {
+    static constexpr std::string_view name = "cast_turn";
+    std::uint64_t answer;
+    typename Names::Body body;
+    Turn turn;
+    double max_time;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.body(call.body...);
+        each.turn(call.turn...);
+        each.number(call.max_time...);
+    }
+    auto ask(auto& world) const { return world.cast(body, turn, max_time); }
+};
+
+template <class Names>
 struct Meetings {
     static constexpr std::string_view name = "meetings";
     std::uint64_t answer;
@@ -94,6 +113,20 @@ struct Meetings {
         each.posed_bodies(call.bodies..., call.poses...);
     }
     auto ask(auto& world) const { return world.meetings(bodies, poses); }
+};
+
+template <class Names>
+struct MeetingsOfMotions {
+    static constexpr std::string_view name = "meetings_of";
+    std::uint64_t answer;
+    typename Names::template List<typename Names::Body> bodies;
+    typename Names::template List<Motion> motions;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.moved_bodies(call.bodies..., call.motions...);
+    }
+    auto ask(auto& world) const { return world.meetings(bodies, motions); }
 };
 
 template <class Names>
@@ -183,6 +216,7 @@ template <class Names>
 using Question =
     std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
                  Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>, Depths<Names>,
-                 SolidDistances<Names>, SignedDistances<Names>, ClosestOfGroups<Names>, ClosestPairs<Names>>;
+                 SolidDistances<Names>, SignedDistances<Names>, ClosestOfGroups<Names>, ClosestPairs<Names>, CastTurn<Names>,
+                 MeetingsOfMotions<Names>>;
 
 }  // namespace ecods::calls

@@ -93,6 +93,8 @@ class FieldReader {
     void line(Segment& segment);
     void line(Ray& ray);
     void motion(Vec3& motion) { motion = lines_.point(); }
+    void turn(Turn& turn);
+    void moved_bodies(std::vector<calls::Label>& bodies, std::vector<Motion>& motions);
     void point(Vec3& point) { point = lines_.point(); }
     void number(double& number) { number = lines_.number(); }
     void optional_filter(std::optional<CollisionFilter>& filter) { filter = lines_.optional_filter(); }

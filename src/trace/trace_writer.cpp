@@ -30,6 +30,21 @@ void TraceWriter::FieldWriter::posed_bodies(std::span<const BodyId> bodies, std:
     }
 }
 
+void TraceWriter::FieldWriter::moved_bodies(std::span<const BodyId> bodies, std::span<const Motion> motions) const {
+    put(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        writer.end_line();
+        if (const auto* const translation = std::get_if<Translation>(&motions[i])) {
+            put("translated", bodies[i], translation->by);
+        } else if (const auto* const straight = std::get_if<Straight>(&motions[i])) {
+            put("p", bodies[i], straight->to);
+        } else {
+            put("turned", bodies[i]);
+            turn(std::get<Turn>(motions[i]));
+        }
+    }
+}
+
 void TraceWriter::begin(BroadPhaseKind kind, std::size_t slot_count) noexcept {
     put_line(trace_header);
     put_line("world", name_of(kind), slot_count);

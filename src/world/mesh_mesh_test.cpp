@@ -3,6 +3,7 @@
 #include "ecods/cast.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/turn.hpp"
 #include "query/body/posed_body.hpp"
 #include "query/intersection/surface_intersection.hpp"
 #include "query/solid/solid_parts.hpp"
@@ -54,6 +55,11 @@ class MeshMeshTest final : public TwoBodyTest {
     std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
                                             const Ask& ask) const override {
         return ecods::cast(mesh_of(a), mesh_of(b), max_time, ask);
+    }
+    std::optional<FirstContact> cast_any_motion(const Posed<Shape>& a, const Motion& motion_of_a,
+                                                const Posed<Shape>& b, const Motion& motion_of_b, double max_time,
+                                                const Ask& ask) const override {
+        return ecods::cast(mesh_of(a), motion_of_a, mesh_of(b), motion_of_b, max_time, ask);
     }
 
   private:

@@ -1,8 +1,13 @@
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "base/limits.hpp"
+#include "base/double_key.hpp"
 #include "geometry/find_invalid.hpp"
+#include "query/cast/turn_boxes.hpp"
 #include "query/intersection/asking.hpp"
 #include "world/least.hpp"
 #include "world/world_impl.hpp"
@@ -51,6 +56,15 @@ std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>&
     return contact;
 }
 
+// Casts `a`, which turns, against `b` at rest, in the order of the test.
+std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Motion& turn,
+                                    const Posed<Shape>& b, double max_time, QueryMemory& memory) {
+    if (!test.swapped) return test.test->cast_any_motion(a, turn, b, Motion(), max_time, memory);
+    auto contact = test.test->cast_any_motion(b, Motion(), a, turn, max_time, memory);
+    if (contact) std::swap(contact->a, contact->b);
+    return contact;
+}
+
 }  // namespace
 
 std::optional<BodyContact> World::cast(const Asked& asked, const Vec3& motion, double max_time, const Ask& ask) const {
@@ -70,6 +84,40 @@ std::optional<BodyContact> World::cast(const Asked& asked, const Vec3& motion, d
     const auto found = first.answer(w.bodies);
     const BodyId* const body = std::get_if<BodyId>(&asked.what());
     return body != nullptr && !subject.filter ? w.traced<calls::Cast>(ask, found, *body, motion, max_time) : found;
+}
+
+// Asks each body once, up to the end of the turn, when the first piece of the turn may meet it.
+std::optional<BodyContact> World::cast(const Asked& asked, const Turn& turn, double max_time, const Ask& ask) const {
+    const Impl& w = impl();
+    const Subject subject = w.subject_of(asked);
+    validate(turn);
+    FirstMet first(require_time(max_time));
+    w.require_tests_for(subject, Question::cast_any_motion);
+    Asking asking(ask);
+    const Motion motion = turn;
+    const auto ask_body = [&](ProxyIndex proxy) {
+        first.take(proxy, [&](double limit) {
+            const Slot& slot = w.bodies[proxy];
+            const OrderedTest test = w.tests.find(subject.kind(), slot.kind);
+            return cast_of(test, subject.posed, motion, slot.posed(), limit, asking.memory());
+        });
+    };
+    std::vector<ProxyIndex> known, fresh;  // known: asked, ascending
+    const auto search = [&](double from, const Aabb& box, bool may_divide) {
+        if (key_of(from) > key_of(first.bound())) return TurnBoxes::Next::stop;
+        fresh.clear();
+        std::ranges::set_difference(w.broad_phase.find(box), known, std::back_inserter(fresh));
+        std::erase_if(fresh, [&](ProxyIndex proxy) { return w.passes_over(subject, proxy); });
+        if (may_divide && !fresh.empty()) return TurnBoxes::Next::divide;
+        std::ranges::for_each(fresh, ask_body);
+        const auto middle = known.insert(known.end(), fresh.begin(), fresh.end());
+        std::inplace_merge(known.begin(), middle, known.end());
+        return TurnBoxes::Next::go_on;
+    };
+    TurnBoxes(w.box_of(subject), turn).visit(first.bound(), search);
+    const auto found = first.answer(w.bodies);
+    const BodyId* const body = std::get_if<BodyId>(&asked.what());
+    return body != nullptr && !subject.filter ? w.traced<calls::CastTurn>(ask, found, *body, turn, max_time) : found;
 }
 
 }  // namespace ecods

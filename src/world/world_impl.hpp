@@ -70,6 +70,10 @@ struct World::Impl {
     }
     Relation relate(ProxyPair pair, QueryMemory& memory) const;  // throws NotSupported
 
+    // Answers World::meetings() of bodies with as many motions.
+    std::vector<Meeting> find_meetings(std::span<const BodyId> listed, std::span<const Motion> motions,
+                                       const Ask& ask) const;
+
     // Answer World::closest_pair() and closest_pairs().
     std::optional<ClosestPair> find_closest(double max_distance, const GroupPair& groups, const Ask& ask) const;
     std::vector<ClosestPair> find_close(double max_distance, const GroupPair& groups, const Ask& ask) const;

@@ -8,6 +8,8 @@
 #include "base/double_key.hpp"
 #include "base/make_error.hpp"
 #include "geometry/same_bits.hpp"
+#include "query/body/motion_kinds.hpp"
+#include "query/cast/turn_boxes.hpp"
 #include "query/intersection/asking.hpp"
 #include "world/world_impl.hpp"
 
@@ -25,25 +27,35 @@ Aabb box_of_way(const Aabb& from, const Aabb& to) {
     return box;
 }
 
-// Stores the bodies that move or changed, each with its new pose and a box that contains its whole motion.
+// Returns a box that contains every point of the body, which the box `from` contains at its present pose, while it
+// moves.
+Aabb box_of_way(const Slot& slot, const Aabb& from, const Motion& motion, BodyId body, std::size_t index) {
+    const Pose* const end = straight_end(slot.pose, motion);
+    if (end == &slot.pose) return from;
+    if (end != nullptr) return box_of_way(from, box_for(*slot.shape, *end, body, index));
+    return TurnBoxes(from, turn_of(motion)).whole();
+}
+
+// Stores the bodies that move or changed, each with its motion and a box that contains its whole motion.
 class Ways {
   public:
-    // Sets the new pose of the body, and the box `way` of its motion; replaces earlier values of the same body.
-    void set(ProxyIndex proxy, const Pose& to, const Aabb& way) {
+    // Sets the motion of the body, and the box `way` of it; replaces earlier values of the same body.
+    void set(ProxyIndex proxy, const Motion& motion, const Aabb& way) {
         const auto [at, is_new] = places_.try_emplace(proxy, bodies_.size());
         if (is_new) {
             bodies_.push_back(proxy);
-            to_.push_back(to);
+            motions_.push_back(motion);
             boxes_.push_back(way);
         } else {
-            to_[at->second] = to;
+            motions_[at->second] = motion;
             boxes_[at->second] = way;
         }
     }
     bool has(ProxyIndex proxy) const { return places_.contains(proxy); }
-    const Pose* to(ProxyIndex proxy) const {
+    const Motion& motion(ProxyIndex proxy) const {
+        static const Motion rest;
         const auto at = places_.find(proxy);
-        return at == places_.end() ? nullptr : &to_[at->second];
+        return at == places_.end() ? rest : motions_[at->second];
     }
     std::span<const ProxyIndex> bodies() const noexcept { return bodies_; }
     std::span<const Aabb> boxes() const noexcept { return boxes_; }
@@ -51,20 +63,20 @@ class Ways {
   private:
     std::unordered_map<ProxyIndex, std::size_t> places_;
     std::vector<ProxyIndex> bodies_;
-    std::vector<Pose> to_;
+    std::vector<Motion> motions_;
     std::vector<Aabb> boxes_;
 };
 
-Moving<Shape> moving(const Slot& slot, const Pose* to) {
-    return {*slot.shape, slot.pose, to != nullptr ? *to : slot.pose};
-}
-
-std::optional<FirstContact> meet(const OrderedTest& test, const Moving<Shape>& a, const Moving<Shape>& b,
-                                 QueryMemory& memory) {
-    if (!test.swapped) return test.test->cast_moving(a, b, 1, memory);
-    auto contact = test.test->cast_moving(b, a, 1, memory);
-    if (contact) std::swap(contact->a, contact->b);
-    return contact;
+// Returns the first contact of two moving bodies, with the test's first kind first.
+std::optional<FirstContact> meet(const TwoBodyTest& test, const Slot& a, const Motion& motion_of_a, const Slot& b,
+                                 const Motion& motion_of_b, QueryMemory& memory) {
+    const Pose* const end_a = straight_end(a.pose, motion_of_a);
+    const Pose* const end_b = straight_end(b.pose, motion_of_b);
+    if (end_a == nullptr || end_b == nullptr) {
+        return test.cast_any_motion(a.posed(), motion_of_a, b.posed(), motion_of_b, 1, memory);
+    }
+    return test.cast_moving(Moving<Shape>(*a.shape, a.pose, *end_a), Moving<Shape>(*b.shape, b.pose, *end_b), 1,
+                            memory);
 }
 
 // Appends the pairs that may collide although neither body is in `ways`: pairs that collided at the last update, and
@@ -82,47 +94,82 @@ void append_known(const PairVerdicts& collisions, const Changes& changes, const 
     }
 }
 
+// Throws the errors of the motion, which is the body's in a list.
+void require_valid(const Motion& motion, BodyId body, std::size_t index) {
+    try {
+        validate(motion);
+    } catch (const InvalidArgument& error) {
+        throw error.at(body, index);
+    }
+}
+
+// True if some body turns or is translated. Throws NotSupported if no cast takes the motions of some two bodies.
+bool are_any_motions(const Ways& ways, const Bodies& bodies) {
+    MotionKinds kinds;
+    bool are_any = false;
+    for (const ProxyIndex proxy : ways.bodies()) {
+        const Pose& start = bodies[proxy].pose;
+        kinds.add(start, ways.motion(proxy));
+        are_any = are_any || straight_end(start, ways.motion(proxy)) == nullptr;
+    }
+    kinds.require_casts();
+    return are_any;
+}
+
 }  // namespace
 
 // Searches for the pairs in which a body is listed in `bodies` or has changed since the last update. For every other
 // pair, the last update has found whether the two collide.
-std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
-                                     const Ask& ask) const {
-    const Impl& w = impl();
+std::vector<Meeting> World::Impl::find_meetings(std::span<const BodyId> listed, std::span<const Motion> motions,
+                                                const Ask& ask) const {
     Asking asking(ask);
-    if (bodies.size() != poses.size()) throw invalid_list_length(bodies.size(), poses.size());
     Ways ways;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const ProxyIndex proxy = w.bodies.require(bodies[i], i);
-        require_valid(poses[i], bodies[i], i);
-        const Slot& slot = w.bodies[proxy];
-        const Aabb& from = w.broad_phase.box(proxy);
-        ways.set(
-            proxy, poses[i],
-            same_bits(slot.pose, poses[i]) ? from : box_of_way(from, box_for(*slot.shape, poses[i], bodies[i], i)));
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+        const ProxyIndex proxy = bodies.require(listed[i], i);
+        require_valid(motions[i], listed[i], i);
+        ways.set(proxy, motions[i], box_of_way(bodies[proxy], broad_phase.box(proxy), motions[i], listed[i], i));
     }
-    w.require_answers(Question::cast_moving);
-    for (const ProxyIndex proxy : w.changes.bodies()) {
-        if (!w.bodies[proxy].is_alive() || ways.has(proxy)) continue;
-        ways.set(proxy, w.bodies[proxy].pose, w.broad_phase.box(proxy));
+    require_answers(Question::cast_moving);
+    if (are_any_motions(ways, bodies)) require_answers(Question::cast_any_motion);
+    for (const ProxyIndex proxy : changes.bodies()) {
+        if (bodies[proxy].is_alive() && !ways.has(proxy)) ways.set(proxy, Motion(), broad_phase.box(proxy));
     }
     ProxyPairs pairs;
-    w.broad_phase.find_pairs_with(ways.bodies(), ways.boxes(), pairs);
-    append_known(w.collisions, w.changes, w.bodies, ways, pairs);
+    broad_phase.find_pairs_with(ways.bodies(), ways.boxes(), pairs);
+    append_known(collisions, changes, bodies, ways, pairs);
     std::ranges::sort(pairs);
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
     std::vector<Meeting> result;
     for (const ProxyPair& pair : pairs) {
-        if (!w.bodies.is_enabled(pair)) continue;
-        const Slot &a = w.bodies[pair.a], &b = w.bodies[pair.b];
-        const auto contact =
-            meet(w.tests.find(a.kind, b.kind), moving(a, ways.to(pair.a)), moving(b, ways.to(pair.b)), asking.memory());
-        if (contact) result.push_back({w.bodies.ids_of(pair), *contact});
+        if (!bodies.is_enabled(pair)) continue;
+        const OrderedTest test = test_of(pair);
+        const auto [first, second] = test.swapped ? std::pair(pair.b, pair.a) : std::pair(pair.a, pair.b);
+        auto contact = meet(*test.test, bodies[first], ways.motion(first), bodies[second], ways.motion(second),
+                            asking.memory());
+        if (contact && test.swapped) std::swap(contact->a, contact->b);
+        if (contact) result.push_back({bodies.ids_of(pair), *contact});
     }
     std::ranges::sort(result, {},
                       [](const Meeting& meeting) { return std::tuple(key_of(meeting.contact.time), meeting.bodies); });
-    return w.traced<calls::Meetings>(ask, std::move(result), bodies, poses);
+    return result;
+}
+
+std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
+                                     const Ask& ask) const {
+    const Impl& w = impl();
+    if (bodies.size() != poses.size()) throw invalid_list_length(bodies.size(), poses.size());
+    std::vector<Motion> motions;
+    motions.reserve(poses.size());
+    for (const Pose& pose : poses) motions.emplace_back(Straight{pose});
+    return w.traced<calls::Meetings>(ask, w.find_meetings(bodies, motions, ask), bodies, poses);
+}
+
+std::vector<Meeting> World::meetings(std::span<const BodyId> bodies, std::span<const Motion> motions,
+                                     const Ask& ask) const {
+    const Impl& w = impl();
+    if (bodies.size() != motions.size()) throw invalid_list_length(bodies.size(), motions.size(), "motions");
+    return w.traced<calls::MeetingsOfMotions>(ask, w.find_meetings(bodies, motions, ask), bodies, motions);
 }
 
 }  // namespace ecods

@@ -13,6 +13,7 @@ const std::map<std::string_view, std::string_view> header_rooms = {
     {"ids.hpp", "src/base"},
     {"instruction_set.hpp", "src/simd"},
     {"mesh.hpp", "src/geometry"},
+    {"motion.hpp", "src/geometry"},
     {"pose.hpp", "src/geometry"},
     {"primitives.hpp", "src/geometry"},
     {"results.hpp", "src/geometry"},

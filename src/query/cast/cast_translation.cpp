@@ -13,9 +13,9 @@
 namespace ecods {
 namespace {
 
-// Translation is the PairQuestion (query/search) whose numbers are the times of first contact while body a is
+// TranslationQuestion is the PairQuestion (query/search) whose numbers are the times of first contact while body a is
 // translated.
-class Translation : public TranslatedPairs {
+class TranslationQuestion : public TranslatedPairs {
   public:
     using Interval = ContactInterval;
     using Value = FirstContact;
@@ -40,7 +40,7 @@ class Translation : public TranslatedPairs {
 // Returns the first open contact if its real time is at most `latest`. A real time that rounds to less than `latest` is
 // less than `latest`. One that rounds to `latest` may exceed it: of several pairs that tie in rounded time, some may
 // exceed it and others not, so these are compared exactly. If `latest` is 1, every contact is in time.
-std::optional<FirstContact> first_by(double latest, Translation& translation, SieveOf<Translation>& sieve) {
+std::optional<FirstContact> first_by(double latest, TranslationQuestion& translation, SieveOf<TranslationQuestion>& sieve) {
     const auto contact =
         first_contact(sieve, [&](const auto& open) { return translation.round(open.triangles, open.interval); });
     if (!contact || key_of(contact->time) > key_of(latest)) return std::nullopt;
@@ -69,7 +69,7 @@ std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& mo
                                        double latest, QueryMemory& memory, PairWitness& witness) {
     validate_motion(motion);
     if (is_zero(motion)) return cast_at_rest(a, b, memory, witness);
-    using Working = SearchMemory<Translation>;
+    using Working = SearchMemory<TranslationQuestion>;
     Working& working = QueryMemoryAccess::part<Working>(memory, &QueryMemoryAccess::State::cast);
     QueryCounts& counts = QueryMemoryAccess::state(memory).counts;
     ++counts.queries;

@@ -77,6 +77,12 @@ std::optional<FirstContact> TwoBodyTest::cast(const Posed<Shape>& a, const Vec3&
     throw NotSupported(Question::cast, a.what->kind(), b.what->kind());
 }
 
+std::optional<FirstContact> TwoBodyTest::cast_any_motion(const Posed<Shape>& a, const Motion& /*motion_of_a*/,
+                                                         const Posed<Shape>& b, const Motion& /*motion_of_b*/,
+                                                         double /*max_time*/, const Ask& /*ask*/) const {
+    throw NotSupported(Question::cast_any_motion, a.what->kind(), b.what->kind());
+}
+
 std::optional<FirstContact> TwoBodyTest::cast_moving(const Moving<Shape>& a, const Moving<Shape>& b,
                                                      double /*max_time*/, const Ask& /*ask*/) const {
     throw NotSupported(Question::cast_moving, a.what->kind(), b.what->kind());

@@ -52,7 +52,8 @@ class BoxTest final : public TwoBodyTest {
   public:
     bool answers(Question question) const noexcept override {
         return question == Question::relation || question == Question::within || question == Question::distance ||
-               question == Question::cast || question == Question::cast_moving;
+               question == Question::cast || question == Question::cast_moving ||
+               question == Question::cast_any_motion;
     }
     // At the start or not at all.
     std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& /*motion*/, const Posed<Shape>& b,
@@ -62,6 +63,10 @@ class BoxTest final : public TwoBodyTest {
     std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
                                             const Ask& ask) const override {
         return cast({*a.what, a.from}, Vec3(0, 0, 0), {*b.what, b.from}, max_time, ask);
+    }
+    std::optional<FirstContact> cast_any_motion(const Posed<Shape>& a, const Motion&, const Posed<Shape>& b,
+                                                const Motion&, double max_time, const Ask& ask) const override {
+        return cast(a, Vec3(0, 0, 0), b, max_time, ask);
     }
     double distance(const Posed<Shape>& a, const Posed<Shape>& b, const Ask&) const override {
         const Aabb x = a.what->box(a.pose);

@@ -236,6 +236,20 @@ const std::array calls = {
                   s.answer = text_of(s.world.meetings(bodies, poses, s.memory));
               },
               apart},
+    WorldCall{"cast, turn",
+              [](Scene& s) {
+                  const Turn turn{{1, 0, 0, 0.0625}, Vec3(0, 40, 0), Vec3(0, 40, 0)};
+                  s.answer = text_of(s.world.cast(s.ids[0], turn, 1, s.memory));
+              }},
+    WorldCall{"meetings of motions",
+              [](Scene& s) {
+                  const std::vector<BodyId> bodies = {s.ids[30], s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
+                  const Translation by{Vec3(0.5, 0, 0)};
+                  const Turn turn{{1, 0, 0, 0.03125}, Vec3(0, 20, 0), Vec3(0, 20, 0)};
+                  const std::vector<Motion> motions = {by, by, turn, Translation(), by};
+                  s.answer = text_of(s.world.meetings(bodies, motions, s.memory));
+              },
+              apart},
     WorldCall{"bodies", [](Scene& s) { s.answer = slots_of(s.world.bodies()); }},
     WorldCall{"next_ids", [](Scene& s) { s.answer = slots_of(s.world.next_ids()); }},
     WorldCall{"disabled_pairs", [](Scene& s) { s.answer = std::to_string(s.world.disabled_pairs().size()); }},

@@ -36,6 +36,11 @@ std::string traced(const TraceOptions& options) {
     std::ignore = world.cast(bodies[0], Vec3(8, 0, 0));
     std::ignore = world.cast(bodies[0], Vec3(8, 0, 0), 0.25);
     std::ignore = world.meetings(std::vector{bodies[2], bodies[0]}, std::vector{at(0), at(6)});
+    const Turn turn{{1, 0, 0, 0.5}, Vec3(3, 3, 0), Vec3(3, 3, 1)};
+    std::ignore = world.cast(bodies[0], turn);
+    std::ignore = world.meetings(std::vector{bodies[2], bodies[0]},
+                                 std::vector<Motion>{turn, Translation{Vec3(4, 0.1, 0)}});
+    std::ignore = world.meetings(std::vector{bodies[2]}, std::vector<Motion>{Straight{at(0)}});
     std::ignore = world.bodies_containing(Vec3(0.25, 0.25, 0));
     std::ignore = world.depths();
     std::ignore = world.signed_distances(1);
@@ -71,6 +76,9 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nclosest_pair ", with), 1u);
     EXPECT_EQ(count_of("\ncast ", with), 2u);
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
+    EXPECT_EQ(count_of("\ncast_turn ", with), 1u);
+    EXPECT_EQ(count_of("\nmeetings_of ", with), 2u);
+    EXPECT_EQ(count_of("\ntranslated ", with) + count_of("\nturned ", with), 2u);
     EXPECT_EQ(count_of("\nbodies_containing ", with), 1u);
     EXPECT_EQ(count_of("\ndepths ", with), 1u);
     EXPECT_EQ(count_of("\nsigned_distances ", with), 1u);
@@ -81,9 +89,9 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
                             BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
         const ReplayReport report = replayed(with, kind);
         EXPECT_FALSE(report.difference) << report.difference->what;
-        EXPECT_EQ(report.question_count, 13u);
+        EXPECT_EQ(report.question_count, 16u);
         EXPECT_EQ(report.update_count, 2u);
-        EXPECT_EQ(report.call_count, 6u + 2 + 13);
+        EXPECT_EQ(report.call_count, 6u + 2 + 16);
     }
 }
 
@@ -112,7 +120,7 @@ TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
     const std::string text = traced({.questions = true});
     for (const std::string name :
          {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest", "closest_pair", "cast", "meetings",
-          "bodies_containing", "depths", "signed_distances"}) {
+          "cast_turn", "meetings_of", "bodies_containing", "depths", "signed_distances"}) {
         const std::size_t line = text.find("\n" + name + " ") + 1;
         const std::size_t digest = line + name.size() + 1;
         std::string wrong = text;
@@ -120,7 +128,7 @@ TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
         const ReplayReport report = replayed(wrong);
         ASSERT_TRUE(report.difference) << name;
         EXPECT_NE(report.difference->what.find("answer to " + name + " is "), std::string::npos);
-        const std::size_t more = name == "meetings" ? 2 : 0;  // lines, of the bodies
+        const std::size_t more = name.starts_with("meetings") ? 2 : 0;  // lines, of the bodies
         EXPECT_EQ(report.difference->line, count_of("\n", text.substr(0, line)) + 1 + more);
     }
 }
@@ -158,6 +166,16 @@ TEST(TraceQuestions, WhatIsNoQuestionIsRefused) {
     refused("depths 0 inf");
     refused("meetings 0 1");
     refused("meetings 0 0 0");
+    const std::string cube = "mesh 1 3 1\nv 0x0p+0 0x0p+0 0x0p+0\nv 0x1p+0 0x0p+0 0x0p+0\nv 0x0p+0 0x1p+0 0x0p+0\nt 0 1 2\n";
+    const std::string body = cube + "create 1.0 1 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 "
+                                    "0x1p+0 0x0p+0\n";
+    refused("meetings_of 0 1");
+    refused("meetings_of 0 0 0");
+    refused(body + "meetings_of 0 1\nspun 1.0 0x0p+0 0x0p+0 0x0p+0");
+    refused(body + "meetings_of 0 1\ntranslated 1.0 0x0p+0 0x0p+0");
+    refused(body + "meetings_of 0 1\nturned 1.0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
+    refused(body + "cast_turn 0 1.0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0");
+    EXPECT_EQ(replayed(head + body + "meetings_of 0 1\ntranslated 1.0 0x0p+0 0x0p+0 0x0p+0\n").call_count, 2u);
     EXPECT_EQ(replayed(head + "meetings 0 0\n").question_count, 0u) << "which has another digest";
 }
 

@@ -1,0 +1,103 @@
+// A body that turns, in all worlds, while others are translated or rest.
+#include <fmt/format.h>
+
+#include <optional>
+#include <vector>
+
+#include "ecods/turn.hpp"
+#include "fuzz/checks/truth.hpp"
+#include "fuzz/checks/way_bodies.hpp"
+#include "fuzz/checks/way_questions.hpp"
+#include "judge/turn_truth.hpp"
+
+namespace ecods::fuzz {
+namespace {
+
+// A turn, by simple numbers, about a point that bodies are near.
+Turn any_turn(const World& world, const std::vector<BodyId>& bodies, scenes::Random& random) {
+    const auto part = [&] { return 0.25 * random.below(9) - 1; };
+    Turn turn{{part(), part(), part(), part()}, any_point(world, bodies, random), Vec3::Zero()};
+    if (random.below(8) == 0) turn.q = {1, 0, 0, 0};
+    if (turn.q.w <= 0 && turn.q.x == 0 && turn.q.y == 0 && turn.q.z == 0) turn.q.z = 1;
+    turn.pivot_to = random.below(2) == 0 ? turn.pivot_from : any_point(world, bodies, random);
+    return turn;
+}
+
+// A body that turns and one at rest, judged by the oracle, where it takes no longer than the worlds.
+void check_truth(const World& world, BodyId turning, const Turn& turn, BodyId other, Counters& counters) {
+    constexpr std::size_t triangle_pairs_judged = 40;
+    const auto a = world.shape(turning), b = world.shape(other);
+    const Posed<MeshShape> moved = mesh_at(*a, world.pose(turning)), rests = mesh_at(*b, world.pose(other));
+    const auto count = [](const Posed<MeshShape>& body) { return body.what->mesh().triangles().size(); };
+    const bool are_surfaces = moved.what->form() == MeshForm::surface && rests.what->form() == MeshForm::surface;
+    if (!are_surfaces || count(moved) * count(rests) > triangle_pairs_judged) return;
+    QueryMemory memory;
+    PairWitness witness;
+    const judge::TurnTruth truth({*moved.what, moved.pose, turn}, rests, 4);
+    if (const auto wrong = truth.ask(memory, witness)) {
+        throw CheckFailed("turn, by the oracle: " + wrong->question, wrong->expected, wrong->got);
+    }
+    ++counters["checked: turns, by the oracle"];
+}
+
+}  // namespace
+
+void check_turns(std::span<World* const> worlds, std::uint32_t seed, Counters& counters) {
+    const World& first = *worlds.front();
+    const auto bodies = first.bodies();
+    if (bodies.size() < 2 || bodies.size() > very_few || !are_soon_asked(first, bodies)) return;
+    scenes::Random random(seed);
+    const BodyId own = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
+    const Turn turn = any_turn(first, bodies, random);
+    // Others are translated, or rest.
+    std::vector<BodyId> moved{numbers_of(own)};
+    std::vector<Motion> motions{turn}, of_all;
+    for (const BodyId body : bodies) {
+        of_all.push_back(body == own ? Motion(turn) : Motion());
+        if (body == own || random.below(3) != 0) continue;
+        const Vec3 by = any_point(first, bodies, random) - any_point(first, bodies, random);
+        if (!by.allFinite()) continue;
+        of_all.back() = Translation{by};
+        moved.push_back(numbers_of(body));
+        motions.push_back(of_all.back());
+    }
+    QueryMemory memory;
+    std::optional<BodyContact> met;
+    std::vector<Meeting> expected;
+    try {
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const auto a = first.shape(bodies[i]);
+            const Posed<MeshShape> posed_a = mesh_at(*a, first.pose(bodies[i]));
+            for (std::size_t j = 0; j < bodies.size(); ++j) {
+                if (i == j || !may_meet(first, bodies[i], bodies[j])) continue;
+                const auto b = first.shape(bodies[j]);
+                const Posed<MeshShape> posed_b = mesh_at(*b, first.pose(bodies[j]));
+                if (bodies[i] == own) {
+                    const auto contact = cast(posed_a, turn, posed_b, Motion(), 1, memory);
+                    if (contact && (!met || contact->time < met->contact.time)) met = BodyContact{bodies[j], *contact};
+                }
+                if (i > j) continue;
+                const auto contact = cast(posed_a, of_all[i], posed_b, of_all[j], 1, memory);
+                if (contact) expected.push_back({{bodies[i], bodies[j]}, *contact});
+            }
+        }
+    } catch (const NotSupported&) {  // of a turn that is nearly a whole one, or very far (turn.hpp)
+        ++counters["turns that are not supported"];
+        return;
+    }
+    for (World* world : worlds) {
+        const auto got = world->cast(numbers_of(own), turn);
+        const bool is_same = got.has_value() == met.has_value() &&
+                             (!got || (numbers_of(got->body) == numbers_of(met->body) &&
+                                       got->contact.time == met->contact.time));
+        if (!is_same) throw CheckFailed("first body that a turn meets", text(met), text(got));
+    }
+    require_meetings(worlds, expected, moved, motions);
+    const BodyId other = met ? met->body : bodies[bodies.front() == own ? 1 : 0];
+    if (may_meet(first, own, other)) check_truth(first, own, turn, other, counters);
+    ++counters["checked: turns of worlds"];
+    counters["checked: bodies met by turns"] += met.has_value();
+    counters["checked: pairs that meet on any way"] += expected.size();
+}
+
+}  // namespace ecods::fuzz

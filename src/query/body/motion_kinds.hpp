@@ -1,0 +1,30 @@
+// MotionKinds alone says of which kinds of motions two bodies are cast (cast_any_motion.cpp).
+#pragma once
+
+#include <cstddef>
+
+#include "ecods/motion.hpp"
+
+namespace ecods {
+
+class MotionKinds {
+  public:
+    // Adds the motion of a body that is at the pose `start` at time 0. A body that stays where it is does not count.
+    void add(const Pose& start, const Motion& motion);
+
+    // Throws NotSupported if there is no cast of some two of the bodies added.
+    void require_casts() const;
+
+  private:
+    std::size_t turn_count_ = 0, translation_count_ = 0, straight_count_ = 0;
+};
+
+// Returns the last pose of a body that rests or goes straight to a pose; &start if it rests; null for other motions.
+// Both arguments must outlive the result.
+const Pose* straight_end(const Pose& start, const Motion& motion);
+
+// Returns a turn that moves every body as the motion does: a translation is a turn by no angle. Call only for
+// translations and turns.
+Turn turn_of(const Motion& motion);
+
+}  // namespace ecods
