@@ -57,8 +57,7 @@ inline constexpr Feature no_feature{Feature::Kind::none, ~std::uint32_t{0}, 0}; 
 // Says which kinds of features contain the closest points.
 enum class ClosestKind : std::uint8_t { vertex_vertex, vertex_edge, vertex_face, edge_edge, intersecting, contained };
 
-// ClosestPoints holds two closest points of two bodies, or of two triangles, and the features that contain these
-// points.
+// ClosestPoints holds two closest points of two bodies, or of two triangles, and the features that contain them.
 //
 // The features are those of lowest dimension that contain the points: a vertex, the open edge, or the open face. If
 // several pairs of features have exactly the least distance, the first pair is given: in the order of ClosestKind, then
@@ -73,8 +72,7 @@ enum class ClosestKind : std::uint8_t { vertex_vertex, vertex_edge, vertex_face,
 // such parts, of `a` if it has one, otherwise of `b`. The feature of T's body is then corner 0 of T, the other feature
 // is no_feature, and both points are that corner.
 //
-// The features of two convex solids at regular poses are those of the sets, as solid.hpp names them, unless the solids
-// share a point.
+// The features of two convex solids that are apart, at regular poses, are those of the sets, as solid.hpp names them.
 struct ClosestPoints {
     double distance = 0;
     ClosestKind kind = ClosestKind::intersecting;
@@ -281,9 +279,8 @@ struct BodyHit {
 // compared by their times, each rounded once; if times are equal, the least id is given. `contact.a` is a feature of
 // the moving subject, `contact.b` of `body`.
 //
-// Cost of a translation: that of BroadPhase::visit_along, and a cast for each body whose box is met before the first
-// contact. Of a turn: that of BroadPhase::find for each piece of the turn until the first contact, some dozens near
-// other bodies, and a cast for each body whose box is near these pieces.
+// Cost: that of BroadPhase::visit_along, or for a turn of BroadPhase::find for each of some dozens of pieces; and a cast
+// for each body whose box the way meets before the first contact.
 struct BodyContact {
     BodyId body;
     FirstContact contact;
@@ -294,9 +291,8 @@ struct BodyContact {
 // A Meeting is the first contact of two bodies while bodies move. `contact.a` is a feature of `bodies.a`. Meetings are
 // ordered by first time, rounded once, then by pair. Pairs that meet at time 0 are included.
 //
-// Cost: near-linear in the number of bodies listed, of bodies that changed since the last update, and of colliding
-// pairs; and a question for each pair of bodies for which the boxes of their ways overlap. (A turn's whole way has one
-// box.)
+// Cost: near-linear in the numbers of bodies listed, of bodies changed since the last update, and of colliding pairs;
+// and a cast for each pair of bodies whose swept boxes overlap. (A whole turn has one box.)
 struct Meeting {
     BodyPair bodies;
     FirstContact contact;
@@ -323,8 +319,7 @@ struct BodyDepth {
     friend bool operator==(const BodyDepth&, const BodyDepth&) = default;
 };
 
-// A PairDistance names two bodies and their distance, signed as in ClosestPair. Cost: that of closest_pairs, without
-// the points.
+// A PairDistance names two bodies and their distance, signed as in ClosestPair. It costs what closest_pairs() does.
 struct PairDistance {
     BodyPair bodies;
     double distance = 0;

@@ -295,7 +295,7 @@ TEST_P(WorldTurnTest, MotionsWithoutACastAreRefusedByKind) {
     const auto ask = [&](const Motion& first, const Motion& second) {
         return world.meetings(std::vector{a, b}, std::vector{first, second}).size();
     };
-    EXPECT_THROW(ask(half_turn, half_turn), NotSupported);
+    EXPECT_EQ(ask(half_turn, half_turn), 0u);
     EXPECT_THROW(ask(half_turn, there), NotSupported);
     EXPECT_THROW(ask(there, up), NotSupported);
     EXPECT_EQ(ask(half_turn, up), 0u);
