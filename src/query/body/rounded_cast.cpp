@@ -1,6 +1,8 @@
 // Answers casts of rounded bodies, and casts to a distance. Bodies that are further apart at the start come to the
 // distance when their cores are first at the distance p, the sum of it and the radii. Since p > 0, the cores are apart
 // then, and closest to each other on their boundaries.
+#include <limits>
+
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "ecods/cast.hpp"
@@ -44,10 +46,10 @@ std::optional<FirstContact> cast_boundaries(const Posed<MeshShape>& a, const Vec
     std::optional<FirstContact> contact;
     search_earliest(
         latest, [&](double from, double to, std::size_t most) { return near.list(from, to, most); },
-        [&](const PairList& pairs, double to) {
+        [&](const PairList& pairs) {
             way.add(pairs);
             contact = first_by(latest, way.found());
-            return contact && key_of(contact->time) <= key_of(to);
+            return contact ? contact->time : std::numeric_limits<double>::infinity();
         });
     return contact;
 }

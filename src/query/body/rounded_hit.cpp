@@ -74,10 +74,10 @@ class LineAsked {
         search_earliest(
             std::min(last_, line_.end),
             [&](double from, double to, std::size_t most) { return near().list(from, to, most); },
-            [&](const PairList& pairs, double to) {
+            [&](const PairList& pairs) {
                 way.add(pairs);
                 best = first_of(way);
-                return best && key_of(best->enter.rounded) <= key_of(to);
+                return best ? best->enter.rounded : std::numeric_limits<double>::infinity();
             });
         if (!best || !is_on_line(best->enter)) return std::nullopt;
         return hit_at(best->enter, best->is_moment() ? HitKind::face : HitKind::front, 0);
