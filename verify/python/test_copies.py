@@ -62,6 +62,7 @@ MAKERS = {
     "Circumscribed": lambda: ecods.cylinder(0.1, 1, 3),
     "Posed": lambda: NEAR,
     "Moving": lambda: CUBE.moving(None, turned(1, (1, 2, 3))),
+    "Deforming": lambda: ecods.Deforming(MESH, MESH.vertices + 1),
     "Turn": lambda: ecods.about([0, 0, 1], 0.1, [1, 2, 3]),
     "Turning": lambda: CUBE.turning(FAR, ecods.Turn([1, 0, 0, 0.5], [0, 0, 0], [0, 0, 1])),
     "Rounded": lambda: ecods.rounded(CUBE, 0.5),

@@ -17,6 +17,7 @@ void bind_rounded(pybind11::module_& m);
 void bind_half_spaces(pybind11::module_& m);
 void bind_contacts(pybind11::module_& m);
 void bind_entering(pybind11::module_& m);
+void bind_deforming(pybind11::module_& m);
 void bind_line_questions(pybind11::module_& m);
 void bind_solid_questions(pybind11::module_& m);
 void bind_hit_sides(pybind11::module_& m);

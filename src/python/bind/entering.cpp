@@ -22,9 +22,11 @@ void bind_entering(py::module_& m) {
                Field{"normal", &ContactPoint::normal, "Unit vector (3,) from a to b; None for a contact at time 0."});
     const py::arg a("a"), motion("motion"), b("b");
     m.def(
-        "entering", asked<PosedMesh, Vec3, PosedMesh>(ECODS_QUESTION(entering)), a, motion, b,
+        "entering", asked<PosedMesh, Vec3, PosedMesh, double>(ECODS_QUESTION(entering)), a, motion, b,
+        py::arg("max_time") = 1.0,
         "FirstEntry of a, translated by time times motion (3,), into b, which stays; None if it does not enter before "
-        "time 1. Touching does not count: two Solids enter when their interiors meet, two Meshes when a triangle goes "
+        "max_time. Touching does not count: two Solids enter when their interiors meet, two Meshes when a triangle "
+        "goes "
         "properly into another one. Exact. Raises NotSupported for a Solid and a Mesh, InvalidArgument.");
     m.def("pose_before", asked<PosedMesh, Vec3, PosedMesh, double>(ECODS_QUESTION(pose_before)), a, motion, b,
           py::arg("time"),

@@ -20,6 +20,7 @@ PYBIND11_MODULE(_ecods, m) {
     bind_half_spaces(m);
     bind_contacts(m);
     bind_entering(m);
+    bind_deforming(m);
     bind_many(m);
     bind_predicates(m);
     bind_certificates(m);
