@@ -40,9 +40,10 @@
 // intersection.hpp. A question may throw std::bad_alloc where numbers need more than some hundred digits.
 //
 // Method: the search for the cores' distance, with its limits enlarged by the radii. Differences of a rational number
-// and a root are rounded without cancellation; where digits do not decide, squares are compared. Two spheres or
-// capsules take some tenths of a microsecond instead, unless they touch or their features tie: doubles decide if they
-// share a point, and integers of 128 bits give numbers with proven bounds.
+// and a root are rounded without cancellation; where digits do not decide, squares are compared. Two bodies whose
+// cores are points, segments, triangles, or convex solids of at most 64 vertices take some tenths of a microsecond
+// instead, unless they touch, their cores meet, or features tie: doubles decide if they share a point, and integers of
+// 128 bits give numbers with proven bounds.
 //
 // Example: verify/examples/how_do_i, spheres_and_margins().
 #pragma once

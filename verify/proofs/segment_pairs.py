@@ -1,4 +1,4 @@
-"""Closest points of segments: src/exact/measure/distance/closest_on_segments.cpp.
+"""Closest points of segments: src/exact/measure/distance/closest_on_segments.cpp and exact/point/segment_ends.cpp.
 
 Proved: the errors of residuals and of parameters cover what ends and vectors are off, and all roundings, in any rounding
 mode."""
@@ -14,6 +14,10 @@ of_both = constant(OUT, r"sum_of_magnitudes\(to_doubles\(z_\)\) \+ (\d+);")
 claim(E + 2 <= of_u and E <= of_z and 3 * (E + 2) * E <= of_both, "z.u")
 # A parameter that is off by less than 1 adds this to a coordinate, of u off by E; and so does a conversion that is cut.
 claim((E + 2) + E + 1 <= constant(OUT, r"error = (\d+) \+ static_cast"), "a coordinate")
+
+# The segment of a point and a triangle: the sum of three ends, and E units, are off by 3 E before digits are dropped.
+dropped = number("src/exact/point/segment_ends.cpp", r"dropped = (\d+);")
+claim(Q(3 * E) / 2**int(dropped) + 1 <= E, "an end that is made of three points")
 
 # Doubles read from integers, products, and vectors that are off.
 kept = number(OUT, r"bit_width\(size\) - (\d+), 0\);")

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <span>
 
 #include "base/outward.hpp"
 #include "exact/number/dyadic.hpp"
@@ -20,12 +21,11 @@ bool is_zero(const Vec3& v) noexcept {
     return (magnitude_of(v[0]) | magnitude_of(v[1]) | magnitude_of(v[2])) == 0;
 }
 
-// Computes the products R p and R q of one segment.
+// Computes the products R v for up to three points v of one body.
 class EndProducts {
   public:
-    explicit EndProducts(const SegmentRef& segment) noexcept : segment_(segment) {
-        const Vec3 &p = *segment.p, &q = *segment.q;
-        if (is_zero(p) && (segment.is_point() || is_zero(q))) return;
+    EndProducts(const Pose& pose, std::span<const Vec3* const> points) noexcept : R_(pose.R), points_(points) {
+        if (std::ranges::all_of(points, [](const Vec3* v) { return is_zero(*v); })) return;
         form_ = bind_short() ? Form::numbers : Form::terms;
         if (form_ == Form::terms) bind_terms();
     }
@@ -39,7 +39,7 @@ class EndProducts {
         if (form_ == Form::zero) return;
         if (form_ == Form::terms) {
             is_exact &= low_ >= unit;
-            terms_->add_products(end == 0 ? *segment_.p : *segment_.q, unit, to);
+            terms_->add_products(*points_[end], unit, to);
             return;
         }
         const int drop = std::min(unit - low_, 127);
@@ -60,24 +60,22 @@ class EndProducts {
         constexpr std::uint64_t least = magnitude_of(0x1p-500);
         std::uint64_t most = 0;
         bool are_ordinary = true;
-        const auto include = [&](const Vec3& v) {
+        for (const Vec3* v : points_) {
             for (int k = 0; k < 3; ++k) {
-                const std::uint64_t size = magnitude_of(v[k]);
+                const std::uint64_t size = magnitude_of((*v)[k]);
                 most = std::max(most, size);
                 are_ordinary &= size == 0 || size >= least;
             }
-        };
-        include(*segment_.p);
-        if (!segment_.is_point()) include(*segment_.q);
+        }
         const int up = short_bits - (static_cast<int>(most >> 52) - 1022);
-        if (!are_ordinary || std::abs(up) > short_power_max || !matrix_.bind(segment_.pose->R)) return false;
+        if (!are_ordinary || std::abs(up) > short_power_max || !matrix_.bind(R_)) return false;
         const double power = power_of_two(up);
         bool are_short = true;
-        const auto convert = [&](const Vec3& v, std::array<std::int64_t, 3>& to) {
-            for (std::size_t k = 0; k < 3; ++k) are_short &= to_short(v[static_cast<Eigen::Index>(k)], power, to[k]);
-        };
-        convert(*segment_.p, short_[0]);
-        if (!segment_.is_point()) convert(*segment_.q, short_[1]);
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                are_short &= to_short((*points_[i])[static_cast<Eigen::Index>(k)], power, short_[i][k]);
+            }
+        }
         low_ = matrix_.unit() - up;
         high_ = low_ + 126;
         return are_short;
@@ -85,22 +83,22 @@ class EndProducts {
 
     // Sets terms_ and the range of the products. The sum of three products is below 2^(digits.high + 2).
     void bind_terms() noexcept {
-        terms_.emplace().set_rotation(segment_.pose->R);
+        terms_.emplace().set_rotation(R_);
         std::array<BitRange, 3> v;
         for (std::size_t k = 0; k < 3; ++k) {
-            v[k].include(decode((*segment_.p)[static_cast<Eigen::Index>(k)]));
-            v[k].include(decode((*segment_.q)[static_cast<Eigen::Index>(k)]));
+            for (const Vec3* x : points_) v[k].include(decode((*x)[static_cast<Eigen::Index>(k)]));
         }
         const BitRange digits = terms_->digits_of_products(v);
         low_ = digits.low;
         high_ = digits.empty() ? exponent_of_zero : digits.high + 2;
     }
 
-    SegmentRef segment_;
+    const Mat3& R_;
+    std::span<const Vec3* const> points_;
     Form form_ = Form::zero;
     int low_ = 0, high_ = exponent_of_zero;  // the products are multiples of 2^low_
     ShortMatrix matrix_;
-    std::array<std::array<std::int64_t, 3>, 2> short_{};
+    std::array<std::array<std::int64_t, 3>, 3> short_{};
     std::optional<PoseTerms> terms_;  // set only if digits do not fit
 };
 
@@ -114,31 +112,77 @@ void add_translation(const std::array<Dyadic, 3>& t, int unit, Point& to, bool& 
     }
 }
 
+// Points of two bodies, each in world coordinates.
+class TwoBodies {
+  public:
+    // Chooses the unit: a product and a translation are below 2^high, and their sum below 2^(high + 1), which is
+    // 2^(unit + digits).
+    TwoBodies(const std::array<const Pose*, 2>& poses, const std::array<std::span<const Vec3* const>, 2>& points,
+              int high, int digits) noexcept
+        : products_{EndProducts(*poses[0], points[0]), EndProducts(*poses[1], points[1])} {
+        BitRange range;
+        for (std::size_t body = 0; body < 2; ++body) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                t_[body][k] = decode(poses[body]->t[static_cast<Eigen::Index>(k)]);
+                range.include(t_[body][k]);
+            }
+        }
+        high =
+            std::max({high, products_[0].high(), products_[1].high(), range.empty() ? exponent_of_zero : range.high});
+        unit_ = high + 1 - digits;
+        for (std::size_t body = 0; body < 2; ++body) add_translation(t_[body], unit_, origins_[body], is_exact_);
+    }
+
+    Point at(std::size_t body, std::size_t i) noexcept {
+        Point point = origins_[body];
+        products_[body].add(i, unit_, point, is_exact_);
+        return point;
+    }
+    int unit() const noexcept { return unit_; }
+    bool is_exact() const noexcept { return is_exact_; }
+
+  private:
+    std::array<EndProducts, 2> products_;
+    std::array<std::array<Dyadic, 3>, 2> t_;
+    std::array<Point, 2> origins_{};
+    int unit_ = 0;
+    bool is_exact_ = true;
+};
+
+std::span<const Vec3* const> points_of(const std::array<const Vec3*, 2>& ends) noexcept {
+    return std::span(ends).first(ends[0] == ends[1] ? 1 : 2);
+}
+
 }  // namespace
 
-// Chooses the unit from `high`, the largest exponent in use. A product and a translation are below 2^high, and their
-// sum below 2^(high + 1) = 2^(unit + 121).
 SegmentEnds::SegmentEnds(const SegmentRef& a, const SegmentRef& b, int high) noexcept
     : is_point{a.is_point(), b.is_point()} {
-    const std::array<const SegmentRef*, 2> segments{&a, &b};
-    const EndProducts of_a(a), of_b(b);
-    std::array<std::array<Dyadic, 3>, 2> t;
-    BitRange digits;
+    const std::array<const Vec3*, 2> ends_of_a{a.p, a.q}, ends_of_b{b.p, b.q};
+    TwoBodies bodies({a.pose, b.pose}, {points_of(ends_of_a), points_of(ends_of_b)}, high, 121);
     for (std::size_t body = 0; body < 2; ++body) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            t[body][k] = decode(segments[body]->pose->t[static_cast<Eigen::Index>(k)]);
-            digits.include(t[body][k]);
-        }
+        at[body][0] = bodies.at(body, 0);
+        at[body][1] = is_point[body] ? at[body][0] : bodies.at(body, 1);
     }
-    high = std::max({high, of_a.high(), of_b.high(), digits.empty() ? exponent_of_zero : digits.high});
-    unit = high - 120;
-    for (std::size_t body = 0; body < 2; ++body) {
-        const EndProducts& products = body == 0 ? of_a : of_b;
-        Point origin{};
-        add_translation(t[body], unit, origin, is_exact);
-        at[body] = {origin, origin};
-        products.add(0, unit, at[body][0], is_exact);
-        products.add(is_point[body] ? 0 : 1, unit, at[body][1], is_exact);
+    unit = bodies.unit();
+    is_exact = bodies.is_exact();
+}
+
+// Points are below 2^119, and x - (r - p) below 3 * 2^119. If points are not exact, each is less than 4 units too low,
+// so that x - (r - p) - 4 is less than 12 units too low. Three digits are dropped: then all are less than 12 / 8 + 1
+// units too low.
+// Claim: verify/proofs/segment_pairs.py
+SegmentEnds::SegmentEnds(const PointAndTriangle& refs, std::size_t of_triangle, int high) noexcept : is_point{} {
+    constexpr int dropped = 3;
+    TwoBodies bodies({refs.pose_of_point, refs.pose}, {std::span(&refs.point, 1), std::span(refs.corners)}, high, 119);
+    const Point x = bodies.at(0, 0), p = bodies.at(1, 0), q = bodies.at(1, 1), r = bodies.at(1, 2);
+    is_exact = bodies.is_exact();
+    const int drop = is_exact ? 0 : dropped;
+    unit = bodies.unit() + drop;
+    for (std::size_t k = 0; k < 3; ++k) {
+        at[of_triangle][0][k] = p[k] >> drop;
+        at[of_triangle][1][k] = q[k] >> drop;
+        at[1 - of_triangle][0][k] = x[k] >> drop;
+        at[1 - of_triangle][1][k] = (x[k] - (r[k] - p[k]) - (is_exact ? 0 : error_units)) >> drop;
     }
 }
 

@@ -17,11 +17,25 @@ struct SegmentRef {
     bool is_point() const noexcept { return p == q; }
 };
 
+// Refers to a posed point and to the corners of a posed triangle.
+struct PointAndTriangle {
+    const Pose* pose_of_point;
+    const Vec3* point;
+    const Pose* pose;
+    std::array<const Vec3*, 3> corners;
+};
+
 struct SegmentEnds {
     using Point = TwoLimbKernel::Point;
 
     // Numbers that the caller will convert to this unit must be below 2^high. All numbers must be finite.
     SegmentEnds(const SegmentRef& a, const SegmentRef& b, int high) noexcept;
+
+    // Makes the segment from corner p of the triangle to corner q, on side `of_triangle`, and on the other side the one
+    // from the point x to x - (r - p). The difference of two points of these segments, at S and T, is then that of x
+    // and p + S (r - p) + T (q - p), or of these with the opposite sign. So the segments are closest where x is closest
+    // to the triangle's plane. Ends that are not exact are off as those of other segments are.
+    SegmentEnds(const PointAndTriangle& refs, std::size_t of_triangle, int high) noexcept;
 
     // A coordinate is the sum of three products and a translation, each rounded down: it is less than 4 units too low,
     // and the difference of two coordinates is off by less than 4 units.

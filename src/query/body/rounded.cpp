@@ -8,8 +8,7 @@
 #include "base/next.hpp"
 #include "query/body/core_distance.hpp"
 #include "query/body/rounded_pair.hpp"
-#include "query/body/rounded_segments.hpp"
-#include "query/body/segment_filter.hpp"
+#include "query/body/small_pair.hpp"
 #include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -36,26 +35,18 @@ void count_decided(Asking& asking) {
     ++counts.distances.enclosures;
 }
 
-// Returns what RoundedPair::filtered() does, and counts nothing.
-std::optional<int> compare_in_doubles(const RoundedPair& pair, double max_distance) {
-    const auto& [a, b] = pair;
-    const bool has_radius = key_of(a.radius) != 0 || key_of(b.radius) != 0;
-    if (!has_radius || !is_segment(*a.core.what) || !is_segment(*b.core.what)) return std::nullopt;
-    return compare_segments(a.core, b.core, a.radius, b.radius, max_distance);
-}
-
 }  // namespace
 
-// Leaves the one pair of triangles as a witness, as the search does.
-void RoundedPair::count_found(const Ask& ask) {
+// Leaves the triangles of the features as a witness, as the search does.
+void RoundedPair::count_found(const RoundedSegments& found, const Ask& ask) {
     Asking asking(ask);
     count_decided(asking);
-    asking.witness() = {0, 0};
+    asking.witness() = {found.names().a.triangle, found.names().b.triangle};
 }
 
-// Spheres and capsules are tried in doubles. Bodies without radii are asked about as their cores are.
+// Bodies without radii are asked about as their cores are.
 std::optional<int> RoundedPair::filtered(double max_distance, const Ask& ask) const {
-    const auto sign = compare_in_doubles(*this, max_distance);
+    const auto sign = SmallPair(*this).compare(max_distance);
     if (sign) {
         Asking asking(ask);
         count_decided(asking);
@@ -69,14 +60,15 @@ bool RoundedPair::intersects(const Ask& ask) const {
 }
 
 double RoundedPair::distance(const Ask& ask) const {
-    if (const auto sign = compare_in_doubles(*this, 0); sign && *sign < 0) {
+    SmallPair small(*this);
+    if (const auto sign = small.compare(0); sign && *sign < 0) {
         Asking asking(ask);
         count_decided(asking);
         return 0;
     }
-    const auto segments = RoundedSegments::find(a, b);
+    const auto segments = small.find_closest();
     if (const auto gap = segments ? segments->signed_distance() : std::nullopt) {
-        count_found(ask);
+        count_found(*segments, ask);
         return positive_part(*gap);
     }
     return cores::distance(a.core, b.core, radii().sum(), ask);
@@ -90,9 +82,9 @@ bool RoundedPair::within(double max_distance, const Ask& ask) const {
 }
 
 ClosestPoints RoundedPair::closest(const Ask& ask) const {
-    const auto segments = RoundedSegments::find(a, b);
+    const auto segments = SmallPair(*this).find_closest();
     if (auto points = segments ? segments->signed_closest() : std::nullopt) {
-        count_found(ask);
+        count_found(*segments, ask);
         points->distance = positive_part(points->distance);
         return *points;
     }

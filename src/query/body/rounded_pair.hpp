@@ -9,6 +9,8 @@
 
 namespace ecods {
 
+class RoundedSegments;
+
 struct CoreAndRadius {
     CoreAndRadius(const Posed<Rounded>& posed)
         : core(posed.what->core(), posed.pose), radius(posed.what->radius()), kind(posed.what->kind()) {}
@@ -25,8 +27,8 @@ struct RoundedPair {
     // Returns the sign of the distance of the cores less the radii and max_distance, if doubles decide it (-1 or 1).
     std::optional<int> filtered(double max_distance, const Ask& ask) const;
 
-    // Counts a query about spheres or capsules that fixed precision has answered (rounded_segments.hpp).
-    static void count_found(const Ask& ask);
+    // Counts a query that fixed precision has answered.
+    static void count_found(const RoundedSegments& found, const Ask& ask);
 
     bool intersects(const Ask& ask) const;
     Relation relation(const Ask& ask) const;

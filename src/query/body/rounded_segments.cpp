@@ -33,7 +33,10 @@ std::optional<RoundedSegments> RoundedSegments::find(const CoreAndRadius& a, con
     const std::optional<exact::ClosestOnSegments> at = exact::closest_on_segments(ends);
     if (!at) return result;
     const std::optional<exact::FixedVector> w = at->between();
-    if (w) result.emplace(RoundedSegments(*at, *w, ends.unit, radii));
+    if (!w) return result;
+    Names names;
+    exact::name_features(names, at->features, {0, 0});
+    result.emplace(RoundedSegments(*at, *w, ends.unit, radii, names));
     return result;
 }
 
@@ -54,7 +57,9 @@ std::optional<ClosestPoints> RoundedSegments::signed_closest() const noexcept {
     if (!distance) return std::nullopt;
     ClosestPoints result;
     result.distance = *distance;
-    exact::name_features(result, at_.features, {0, 0});
+    result.kind = names_.kind;
+    result.a = names_.a;
+    result.b = names_.b;
     const exact::FixedRadius of_a(radii_.a, unit_), of_b(radii_.b, unit_);
     for (std::size_t k = 0; k < 3; ++k) {
         const exact::FixedNumber n = w_.direction(k);

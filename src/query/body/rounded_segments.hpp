@@ -1,5 +1,6 @@
-// Answers the questions about two spheres or capsules in fixed precision, where that decides each answer: about as fast
-// as in doubles, and the same answers as those of the search for closest triangles.
+// Answers the questions about two spheres or capsules, and about other rounded bodies with small convex cores, in fixed
+// precision, where that decides each answer: about as fast as in doubles, and the same answers as those of the search
+// for closest triangles.
 #pragma once
 
 #include <optional>
@@ -8,6 +9,7 @@
 #include "exact/measure/distance/closest_on_segments.hpp"
 #include "exact/measure/round/fixed_vector.hpp"
 #include "query/body/rounded_pair.hpp"
+#include "query/convex/small_hulls.hpp"
 
 namespace ecods {
 
@@ -16,6 +18,12 @@ class RoundedSegments {
     // Returns nullopt unless both cores are meshes of one point or segment, which certainly share no point, and at
     // least one has a radius; or if fixed precision does not decide which features are closest.
     static std::optional<RoundedSegments> find(const CoreAndRadius& a, const CoreAndRadius& b) noexcept;
+
+    // Does the same for other cores, whose hulls must be small. Returns nullopt unless exactly one pair of points is
+    // closest, inside features that are known. The closest points of two vertices or edges are those of segments; those
+    // of a vertex and a face are so, too (exact/point/segment_ends.hpp).
+    static std::optional<RoundedSegments> find_of_hulls(const CoreAndRadius& a, const CoreAndRadius& b,
+                                                        convex::SmallHulls& hulls);
 
     // Return nullopt if a rounding is not certain. The distance is that of the cores less both radii, also if it is
     // negative.
@@ -29,15 +37,23 @@ class RoundedSegments {
     // True if no other points of the cores are as close.
     bool is_only() const noexcept { return at_.is_only; }
 
+    // The features that contain the closest points.
+    struct Names {
+        ClosestKind kind = ClosestKind::vertex_vertex;
+        Feature a, b;
+    };
+    const Names& names() const noexcept { return names_; }
+
   private:
     RoundedSegments(const exact::ClosestOnSegments& at, const exact::FixedVector& w, int unit,
-                    const exact::Radii& radii) noexcept
-        : at_(at), w_(w), unit_(unit), radii_(radii) {}
+                    const exact::Radii& radii, const Names& names) noexcept
+        : at_(at), w_(w), unit_(unit), radii_(radii), names_(names) {}
 
     exact::ClosestOnSegments at_;
     exact::FixedVector w_;
     int unit_;
     exact::Radii radii_;
+    Names names_;
 };
 
 }  // namespace ecods

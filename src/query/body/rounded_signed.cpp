@@ -5,7 +5,7 @@
 #include "ecods/error.hpp"
 #include "query/body/contained.hpp"
 #include "query/body/rounded_pair.hpp"
-#include "query/body/rounded_segments.hpp"
+#include "query/body/small_pair.hpp"
 #include "query/convex/convex_core.hpp"
 #include "query/depth/signed_pair.hpp"
 #include "query/distance/surface_distance.hpp"
@@ -15,23 +15,21 @@
 namespace ecods {
 namespace {
 
-// Returns the answer about two spheres or capsules, if fixed precision decides it.
-std::optional<SignedDistance> find_fixed(const RoundedPair& pair) {
-    const auto segments = RoundedSegments::find(pair.a, pair.b);
+// Returns the answer if fixed precision decides it.
+std::optional<SignedDistance> find_fixed(const RoundedPair& pair, const Ask& ask) {
+    const auto segments = SmallPair(pair).find_closest();
     if (!segments) return std::nullopt;
     const auto at = segments->signed_closest();
     const auto direction = at ? segments->direction() : std::nullopt;
     if (!direction) return std::nullopt;
+    RoundedPair::count_found(*segments, ask);
     return SignedDistance{at->distance, at->kind, at->a, at->b, at->point_a, at->point_b, *direction};
 }
 
 }  // namespace
 
 SignedDistance RoundedPair::signed_distance(const Ask& ask) const {
-    if (const auto found = find_fixed(*this)) {
-        count_found(ask);
-        return *found;
-    }
+    if (const auto found = find_fixed(*this, ask)) return *found;
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
     const BodyPairAsked bodies(a.core, b.core);

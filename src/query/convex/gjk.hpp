@@ -5,17 +5,10 @@
 #include <array>
 #include <cstdint>
 
+#include "query/convex/gjk_rounds.hpp"
 #include "query/convex/posed_hulls.hpp"
 
 namespace ecods::convex {
-
-// A Simplex is a simplex of the Minkowski difference: pairs of vertices, one of each solid, and for each pair the point
-// (second vertex) - (first vertex).
-struct Simplex {
-    int count = 0;
-    std::array<std::array<std::uint32_t, 2>, 4> pairs{};
-    std::array<Point, 4> points{};
-};
 
 // Returns the support vertices of both solids along the rounded direction between their centers, as a simplex of one
 // pair. A search without a witness starts from it.

@@ -22,6 +22,7 @@
 #include "query/distance/surface_distance.hpp"
 #include "scenes/pose_at.hpp"
 #include "scenes/random.hpp"
+#include "unit/query/equal_closest.hpp"
 
 namespace ecods {
 namespace {
@@ -41,21 +42,6 @@ struct Searched {
     ClosestPoints closest;
     std::optional<CloseFeatures> apart;  // without a value if the cores share a point
 };
-
-bool are_equal(double x, double y) {
-    return key_of(x) == key_of(y);
-}
-bool are_equal(const Vec3& x, const Vec3& y) {
-    return are_equal(x[0], y[0]) && are_equal(x[1], y[1]) && are_equal(x[2], y[2]);
-}
-void expect_equal(const ClosestPoints& found, const ClosestPoints& expected) {
-    EXPECT_TRUE(are_equal(found.distance, expected.distance)) << found.distance << ", " << expected.distance;
-    EXPECT_EQ(found.kind, expected.kind);
-    EXPECT_EQ(found.a, expected.a);
-    EXPECT_EQ(found.b, expected.b);
-    EXPECT_TRUE(are_equal(found.point_a, expected.point_a)) << found.point_a << "\n" << expected.point_a;
-    EXPECT_TRUE(are_equal(found.point_b, expected.point_b)) << found.point_b << "\n" << expected.point_b;
-}
 
 // The core as a flat solid: fixed precision leaves it to hulls.
 Posed<Shape> as_solid(const Posed<Rounded>& body) {

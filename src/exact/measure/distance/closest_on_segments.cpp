@@ -110,6 +110,11 @@ struct Side {
             coarse = std::clamp<std::int64_t>(coarse + static_cast<std::int64_t>(by * 0x1p60), 0, coarse_one);
         }
     }
+    // Returns an upper bound of a parameter inside the segment, before it is rounded.
+    double parameter_max() const noexcept {
+        const Int128 all = (Int128{coarse} << (fine_digits - coarse_digits)) + fine;
+        return (to_double(all) * 0x1p-105 + shift) * above;
+    }
     // True if the parameter is certainly inside the segment.
     bool is_inside() const noexcept {
         constexpr int up = fine_digits - coarse_digits;
@@ -303,6 +308,7 @@ class SegmentPair {
             const Side& side = i == 0 ? a_ : b_;
             const double moved = side.shift * side.sum * above;
             if (!(moved < 0x1p60)) return std::nullopt;
+            if (side.place == Place::inside) result.parameter_max[i] = side.parameter_max();
             const std::uint64_t error = 11 + static_cast<std::uint64_t>(moved);
             for (std::size_t k = 0; k < 3; ++k) {
                 const bool is_exact = ends_.is_exact && (side.place != Place::inside || side.u[k] == 0);

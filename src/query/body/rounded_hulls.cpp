@@ -1,0 +1,198 @@
+// Closest features of two small convex cores are guessed in doubles. Fixed precision finds their closest points; that
+// these are closest points of the cores follows if no vertex is beyond a feature (closest_hulls.hpp).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "base/arithmetic.hpp"
+#include "base/double_key.hpp"
+#include "exact/number/power.hpp"
+#include "exact/point/segment_ends.hpp"
+#include "exact/simplex/common_pose.hpp"
+#include "query/body/rounded_segments.hpp"
+#include "query/convex/convex_parts.hpp"
+#include "query/convex/hull_features.hpp"
+
+namespace ecods {
+namespace {
+
+using convex::SmallFeatures;
+using convex::SmallHull;
+using convex::SmallHulls;
+using exact::Point;
+
+// The features of a body are named as those of the convex set, or as those of its triangles.
+enum class Meaning : std::uint8_t { sets, triangles };
+
+Meaning meaning_of(const CoreAndRadius& a, const CoreAndRadius& b) {
+    const auto is_set = [](const Posed<MeshShape>& core) {
+        return core.what->form() == MeshForm::convex && exact::is_regular(core.pose.R);
+    };
+    return is_set(a.core) && is_set(b.core) ? Meaning::sets : Meaning::triangles;
+}
+
+// Chooses corners and names of the features of one hull.
+class NamedFeature {
+  public:
+    NamedFeature(const SmallHulls& hulls, std::size_t side, SmallFeatures& features, Meaning meaning)
+        : hulls_(hulls), hull_(hulls[side]), side_(side), features_(features), meaning_(meaning) {}
+
+    // Sets `name`, and the corners of a face to those of the triangle that contains the closest point. Returns false if
+    // the hull has no such feature, or if its triangles name it in another way.
+    bool find(Feature& name) {
+        return hull_.hull() == nullptr ? find_of_triangle(name) : find_of_solid(*hull_.hull(), name);
+    }
+
+  private:
+    std::array<std::uint32_t, 3>& corners() const noexcept { return features_.corners[side_]; }
+    std::size_t count() const noexcept { return features_.count[side_]; }
+
+    // A triangle names an edge by the corner at which it begins.
+    bool find_of_triangle(Feature& name) const noexcept {
+        const auto [i, j, k] = corners();
+        name = {static_cast<Feature::Kind>(count() - 1), 0, i};
+        if (count() == 2) name.corner = hull_.vertex_count() == 2 ? 0 : j == (i + 1) % 3 ? i : j;
+        if (count() == 3) name.corner = 0;
+        return true;
+    }
+
+    bool find_of_solid(const convex::Hull& hull, Feature& name) {
+        const auto& solid = static_cast<const ConvexSolid&>(*hull_.posed().what);
+        const convex::FaceTriangles* triangles = nullptr;
+        if (meaning_ == Meaning::triangles) {
+            triangles = &ConvexSolidAccess::face_triangles(solid);
+            if (!triangles->is_plain()) return false;
+        }
+        if (count() == 1) {
+            name = hull.vertex_names[corners()[0]];
+            return true;
+        }
+        if (count() == 2) return find_edge(hull, name);
+        const std::uint32_t face = convex::face_of(hull, corners());
+        if (face == convex::Hull::no_face) return false;
+        name = hull.faces[face].name;
+        return triangles == nullptr || hull.faces[face].count == 3 || choose(solid, triangles->of(face), name);
+    }
+
+    bool find_edge(const convex::Hull& hull, Feature& name) const noexcept {
+        for (const convex::Hull::Neighbor& to : hull.neighbors_of(corners()[0])) {
+            if (to.vertex != corners()[1]) continue;
+            name = hull.edges[to.edge].name;
+            return true;
+        }
+        return false;
+    }
+
+    // Chooses the triangle of a face in which the foot of the other hull's vertex is furthest from the sides, in
+    // doubles. Returns false if it is in none of them.
+    bool choose(const ConvexSolid& solid, std::span<const std::uint32_t> triangles, Feature& name) {
+        const auto& vertex_of = ConvexSolidAccess::points(solid).hull_index;
+        const Point x = hulls_.rounded(1 - side_, features_.corners[1 - side_][0]);
+        double most = 0;
+        for (const std::uint32_t i : triangles) {
+            const auto& [a, b, c] = solid.mesh().triangles()[i];
+            const std::array<std::uint32_t, 3> at{vertex_of[a], vertex_of[b], vertex_of[c]};
+            const Point p = hull_.at(at[0]), w = exact::minus(x, p);
+            const Point u = exact::minus(hull_.at(at[1]), p), v = exact::minus(hull_.at(at[2]), p);
+            const Point n = exact::cross(u, v);
+            const double nn = exact::dot(n, n);
+            const double s = exact::dot(exact::cross(w, v), n) / nn, t = exact::dot(exact::cross(u, w), n) / nn;
+            const double least = std::min(std::min(s, t), 1 - s - t);
+            if (!(least > most)) continue;
+            most = least;
+            corners() = at;
+            name.triangle = i;
+        }
+        return most > 0;
+    }
+
+    const SmallHulls& hulls_;
+    const SmallHull& hull_;
+    std::size_t side_;
+    SmallFeatures& features_;
+    Meaning meaning_;
+};
+
+exact::SegmentRef segment_of(const SmallHull& hull, const std::array<std::uint32_t, 3>& corners,
+                             std::size_t count) noexcept {
+    const Vec3* const p = &hull.vertex(corners[0]);
+    return {&hull.posed().pose, p, count == 1 ? p : &hull.vertex(corners[1])};
+}
+
+exact::SegmentEnds ends_of(const SmallHulls& hulls, const SmallFeatures& features, int high) noexcept {
+    for (const std::size_t side : {0, 1}) {
+        if (features.count[side] != 3) continue;
+        const SmallHull &hull = hulls[side], &other = hulls[1 - side];
+        const auto& [p, q, r] = features.corners[side];
+        return {exact::PointAndTriangle{&other.posed().pose,
+                                        &other.vertex(features.corners[1 - side][0]),
+                                        &hull.posed().pose,
+                                        {&hull.vertex(p), &hull.vertex(q), &hull.vertex(r)}},
+                side, high};
+    }
+    return {segment_of(hulls[0], features.corners[0], features.count[0]),
+            segment_of(hulls[1], features.corners[1], features.count[1]), high};
+}
+
+// Takes the points of the segments of a vertex and a face for those of the two features: the vertex, and its foot.
+// Returns false unless the foot is inside the triangle.
+bool move_to_features(exact::ClosestOnSegments& at, const exact::SegmentEnds& ends, std::size_t of_face) noexcept {
+    if (!(at.parameter_max[0] + at.parameter_max[1] < 1 - 4 * two_u)) return false;
+    const std::size_t of_vertex = 1 - of_face;
+    const auto w = exact::difference(at.point[of_face], at.point[of_vertex]);
+    at.point[of_vertex] = ends.at[of_vertex][0];
+    for (std::size_t k = 0; k < 3; ++k) {
+        at.point[of_face][k] = at.point[of_vertex][k] + w[k];
+        const auto of_point = static_cast<std::uint64_t>(ends.error());
+        const std::uint64_t of_w = at.errors[0][k] + at.errors[1][k];
+        at.errors[of_vertex][k] = of_point;
+        at.errors[of_face][k] = of_point + of_w;
+    }
+    return true;
+}
+
+// True if no vertex of a core is beyond its feature. Coordinates of w as doubles are off by a cut digit, and their
+// errors.
+bool are_closest(const SmallHulls& hulls, const SmallFeatures& features, const exact::IntegerVector& w,
+                 const exact::ErrorBounds& errors) noexcept {
+    const std::uint64_t most = std::max({errors[0], errors[1], errors[2]});
+    const exact::ScaledVector n = exact::scaled(w, most == 0);
+    const double error = n.shift >= 0 ? 1.01 * (static_cast<double>(most) * exact::power_of_two(-n.shift)) + 1.01 : 0;
+    return hulls.are_others_behind(0, features, n.x, error) && hulls.are_others_behind(1, features, n.x, error);
+}
+
+}  // namespace
+
+std::optional<RoundedSegments> RoundedSegments::find_of_hulls(const CoreAndRadius& a, const CoreAndRadius& b,
+                                                              convex::SmallHulls& hulls) {
+    std::optional<SmallFeatures> features = hulls.guess_closest();
+    if (!features) return std::nullopt;
+    const Meaning meaning = meaning_of(a, b);
+    Names names;
+    if (!NamedFeature(hulls, 0, *features, meaning).find(names.a) ||
+        !NamedFeature(hulls, 1, *features, meaning).find(names.b)) {
+        return std::nullopt;
+    }
+    const exact::FeaturePair pair = exact::features_of_counts(features->count[0], features->count[1]);
+    names.kind = static_cast<ClosestKind>(pair.kind);
+
+    const exact::Radii radii{a.radius, b.radius};
+    const int high = std::max(exact::exponent_above(radii.a), exact::exponent_above(radii.b));
+    const exact::SegmentEnds ends = ends_of(hulls, *features, high);
+    std::optional<exact::ClosestOnSegments> at = exact::closest_on_segments(ends);
+    if (!at || !at->is_only) return std::nullopt;
+    const bool has_face = pair.kind == exact::FeatureKind::vertex_face;
+    for (const std::size_t side : {0, 1}) {
+        if (at->features.corner_count(side) != (has_face ? 2 : features->count[side])) return std::nullopt;
+    }
+    const exact::IntegerVector difference = exact::difference(at->point[1], at->point[0]);
+    const std::optional<exact::FixedVector> w = at->between();
+    exact::ErrorBounds errors;
+    for (std::size_t k = 0; k < 3; ++k) errors[k] = at->errors[0][k] + at->errors[1][k];
+    if (!w || !are_closest(hulls, *features, difference, errors)) return std::nullopt;
+    if (has_face && !move_to_features(*at, ends, features->count[0] == 3 ? 0 : 1)) return std::nullopt;
+    return RoundedSegments(*at, *w, ends.unit, radii, names);
+}
+
+}  // namespace ecods

@@ -1,0 +1,29 @@
+// Two rounded bodies whose questions doubles and fixed precision try first: spheres and capsules, and other bodies with
+// small convex cores. At least one must have a radius.
+#pragma once
+
+#include <optional>
+
+#include "query/body/rounded_pair.hpp"
+#include "query/body/rounded_segments.hpp"
+#include "query/convex/small_hulls.hpp"
+
+namespace ecods {
+
+class SmallPair {
+  public:
+    // The pair must outlive this object.
+    explicit SmallPair(const RoundedPair& pair) noexcept;
+
+    // Returns the sign of the distance of the cores less the radii and max_distance, if doubles decide it (-1 or 1).
+    std::optional<int> compare(double max_distance) noexcept;
+    // Returns the closest points, if fixed precision decides where they are. Goes on where compare() ended.
+    std::optional<RoundedSegments> find_closest();
+
+  private:
+    const RoundedPair& pair_;
+    bool are_segments_ = false;
+    std::optional<convex::SmallHulls> hulls_;
+};
+
+}  // namespace ecods
