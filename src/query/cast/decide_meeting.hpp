@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "base/double_key.hpp"
@@ -31,8 +33,29 @@ struct KnownMeeting {
 
 class KnownMeetings {
   public:
-    void clear() noexcept { all_.clear(); }
+    void clear() noexcept {
+        all_.clear();
+        whole_.clear();
+    }
     void add(const KnownMeeting& known) { all_.push_back(known); }
+
+    // Keeps the first meeting of two triangles at any time; nullopt if there is none. Triangles that stay very near to
+    // each other are asked about in many pieces of the time.
+    void add_whole(const TrianglePair& triangles, const std::optional<exact::Meeting>& meeting) {
+        whole_.insert_or_assign(key_of_pair(triangles), meeting);
+    }
+    // Returns what add_whole() keeps; null if there is nothing.
+    const std::optional<exact::Meeting>* find_whole(const TrianglePair& triangles) const {
+        const auto found = whole_.find(key_of_pair(triangles));
+        return found == whole_.end() ? nullptr : &found->second;
+    }
+    // Returns an interval within [from, to] that contains the first meeting of triangles whose first meeting is kept;
+    // nullopt if that is later, or there is none.
+    static std::optional<exact::TimeSpan> span_of(const std::optional<exact::Meeting>& whole, double from, double to) {
+        if (!whole || key_of(next_down(whole->time)) > key_of(to)) return std::nullopt;
+        return exact::TimeSpan{double_of(std::max(key_of(from), key_of(next_down(whole->time)))),
+                               double_of(std::min(key_of(to), key_of(next_up(whole->time))))};
+    }
 
     // Returns the known meeting of features a and b if it certainly is within `time`; otherwise null. The known time is
     // rounded, so both of its neighbors must be within `time`.
@@ -47,7 +70,12 @@ class KnownMeetings {
     }
 
   private:
+    static std::uint64_t key_of_pair(const TrianglePair& triangles) noexcept {
+        return std::uint64_t{triangles.a} << 32 | triangles.b;
+    }
+
     std::vector<KnownMeeting> all_;
+    std::unordered_map<std::uint64_t, std::optional<exact::Meeting>> whole_;  // by both indices
 };
 
 // `Pairs` has the pairs of triangles of two moving meshes: mesh(side); points_of(triangles), in doubles, for
@@ -63,6 +91,7 @@ class MeetingDecision {
     // suffice, for all times. If the points are far from their mesh's origin, the bound may end before the meeting
     // because of the points' errors. So each span tried is longer than the one before.
     std::optional<exact::Meeting> decide(exact::TimeSpan time, double to) {
+        if (const auto* whole = known_.find_whole(triangles_)) return *whole;
         constexpr std::array<double, 3> lengths{0x1p-44, 0x1p-36, 0x1p-28};  // relative to time.to
         const auto points = pairs_.points_of(triangles_);
         for (const double length : lengths) {
@@ -79,7 +108,9 @@ class MeetingDecision {
             if (!next) return std::nullopt;
             time = *next;
         }
-        return pairs_.ask_exactly(triangles_, [](auto& at) { return exact::first_meeting(at); });
+        const auto whole = pairs_.ask_exactly(triangles_, [](auto& at) { return exact::first_meeting(at); });
+        known_.add_whole(triangles_, whole);
+        return whole;
     }
 
   private:

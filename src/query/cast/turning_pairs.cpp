@@ -43,6 +43,7 @@ exact::TurningPoints TurningPairs::points_of(const TrianglePair& triangles) {
 
 std::optional<exact::TimeSpan> TurningPairs::bound(const TrianglePair& triangles, double from, double to,
                                                    exact::Effort effort) {
+    if (const auto* whole = known_.find_whole(triangles)) return KnownMeetings::span_of(*whole, from, to);
     ++counts_->enclosures;
     return exact::bound_first_meeting(points_of(triangles), from, to, effort);
 }
