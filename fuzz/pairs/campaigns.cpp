@@ -11,7 +11,9 @@ std::span<const CaseCampaign> case_campaigns() {
         {"hits", "segments and rays, 2000 a run, every question about what they hit of a mesh", "hits", run_hits},
         {"casts", "posed meshes on their way, 250 a run, every question about their contact", "casts", run_casts},
         {"turns",
-         "posed meshes that turn, 26 a run, every question about their contact; some by pieces of the time, too",
+         "posed meshes that turn, 26 a run, every question about their contact; half with a turn of the other, too; "
+         "some "
+         "by pieces of the time",
          "turns", run_turns},
         {"turn_samples", "posed meshes that turn, 1000 a run, at 64 times each and the doubles beside the first one",
          "turns", run_turn_samples},

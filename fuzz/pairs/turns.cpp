@@ -1,4 +1,9 @@
+#include <string>
+
 #include "fuzz/pairs/case_run.hpp"
+#include "judge/both_turn_truth.hpp"
+#include "judge/text.hpp"
+#include "judge/turn_truth.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -24,11 +29,31 @@ class Run : CaseRun {
         }
         require_answers(made, judged, "every form");
         if (random_.below(4) == 0) require_answers_in_environment(made, judged);
+        if (random_.below(2) == 0) check_both(made);
         ++index_;
     }
 
   private:
     static constexpr std::size_t pairs_max = 16;  // of triangles
+    static constexpr std::size_t both_pairs_max = 36;
+
+    // The other body turns, too.
+    void check_both(const scenes::TurnCase& made) {
+        const std::size_t pairs = made.a->triangles().size() * made.b->triangles().size();
+        if (pairs > both_pairs_max) return;
+        const MeshShape a(made.a), b(made.b);
+        const Turn second = scenes::turn_beside(random_, made);
+        const judge::BothTurnTruth truth({a, made.pose_a, made.turn}, {b, made.pose_b, second});
+        const std::string how = "both turn, b by " + judge::text(second);
+        ++counts_.checks["both turn"];
+        if (const auto wrong = truth.ask(memory_, witness_)) fail(*wrong, made, how);
+        if (pairs <= 4 && random_.below(4) == 0) {
+            ++counts_.checks["both turn, pieces of the time"];
+            const auto contradiction = truth.contradiction();
+            require_promise(!contradiction, judge::text(truth.contact()) + " by pieces of the time",
+                            contradiction.value_or("") + ", " + how, made);
+        }
+    }
 };
 
 }  // namespace

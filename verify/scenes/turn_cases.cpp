@@ -324,4 +324,27 @@ Families<TurnCase> turn_families() {
     return table;
 }
 
+Turn turn_beside(Random& random, const TurnCase& made) {
+    const auto& [w, x, y, z] = made.turn.q;
+    const auto moved = [](const Turn& turn, const Vec3& by) {
+        return Turn{turn.q, turn.pivot_from + by, turn.pivot_to + by};
+    };
+    switch (random.below(7)) {
+        case 0:
+            return {{double(integer(random, 1, 3)), 0, 0, 0}, made.turn.pivot_from, made.turn.pivot_from};
+        case 1:
+            return made.turn;
+        case 2:
+            return {{w, -x, -y, -z}, made.turn.pivot_from, made.turn.pivot_to};
+        case 3:
+            return moved(made.turn, lattice_point(random, 2));
+        case 4:
+            return moved(Turn{{w, -x, -y, -z}, made.turn.pivot_from, made.turn.pivot_to}, lattice_point(random, 2));
+        default: {
+            const Vec3 pivot = lattice_point(random, 3);
+            return {small_quaternion(random, 2), pivot, coin(random) ? pivot : Vec3(pivot + lattice_point(random, 2))};
+        }
+    }
+}
+
 }  // namespace ecods::scenes

@@ -21,4 +21,7 @@ struct TurnCase {
 
 Families<TurnCase> turn_families();
 
+// A turn of b, for a case in which b is at rest: no turn, that of a, its reverse, the same about another axis, or any.
+Turn turn_beside(Random& random, const TurnCase& made);
+
 }  // namespace ecods::scenes

@@ -97,6 +97,8 @@ void bind_turns(py::module_& m) {
     m.def("cast", asked_with_witness<TurningMesh, Vec3, PosedMesh, double>(ECODS_QUESTION(cast)), py::arg("a"),
           py::arg("motion_of_b"), py::arg("b"), max_time, witness,
           "The same, where b is translated by time times motion_of_b (3,).");
+    m.def("cast", asked_with_witness<TurningMesh, TurningMesh, double>(ECODS_QUESTION(cast)), py::arg("a"),
+          py::arg("b"), max_time, witness, "The same of two bodies that turn, each by a turn of its own.");
     m.def("about", &about, py::arg("axis"), py::arg("angle"), py::arg("pivot"),
           "Turn by an angle in radians about an axis (3,) through a pivot (3,), which stays: a hinge, or a joint of a "
           "robot. Raises InvalidArgument.");

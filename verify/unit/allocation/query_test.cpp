@@ -50,6 +50,13 @@ std::optional<FirstContact> turn_past(Pair& p) {
     return cast(Turning<MeshShape>(*p.b, p.pose_b, turn), p.first(), 1, {p.memory, p.witness});
 }
 
+// The other one turns, too.
+std::optional<FirstContact> turn_both(Pair& p) {
+    const Turn turn{{0.5, 0.25, 0, 1}, {0, 2, 0}, {0, 2.5, 0.25}}, other{{1, 0.125, -0.25, 0}, {0, 1, 0}, {0, 1, 0}};
+    const Turning<MeshShape> first(*p.b, p.pose_b, turn), second(*p.a, p.pose_a, other);
+    return cast(first, second, 1, {p.memory, p.witness});
+}
+
 // Triangles with corners of their own, a face of two halves beside one of one part.
 std::shared_ptr<const Mesh> two_prisms() {
     const Vec3 a(0, 0, 0), b(2, 0, 0), c(0, 2, 0), d(0, 0, 1), m(1, 1, 0);
@@ -114,6 +121,7 @@ const PairCall questions[] = {
     {"cast of a translation, with a witness", [](Pair& p) { p.answer = digest(cast_past(p)); }},
     {"cast between poses", [](Pair& p) { p.answer = digest(move_past(p)); }},
     {"cast of a turning body", [](Pair& p) { p.answer = digest(turn_past(p)); }},
+    {"cast of two turning bodies", [](Pair& p) { p.answer = digest(turn_both(p)); }},
     {"certify", [](Pair& p) { p.answer = digest(certify(p.first(), p.second(), p.memory)); }},
     {"certify_distance", [](Pair& p) { p.answer = digest(certify_distance(p.first(), p.second(), p.memory)); }},
     {"certify_within", [](Pair& p) { p.answer = digest(certify_within(p.first(), p.second(), 0x1p-6, p.memory)); }},
