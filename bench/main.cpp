@@ -197,7 +197,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
     app.add_option(
         "--engines", options.engines,
         "Engines of these names, or where none has the name, those whose name contains it (default: all); "
-        "in the suites narrow, distance, casts, convex, broad, system, memory and hard_cases. Of these, suites "
+        "in the suites narrow, distance, casts, turn, convex, broad, system, memory and hard_cases. Of these, suites "
         "without one are left "
         "out");
     app.add_option("--sizes", options.sizes,

@@ -1,11 +1,10 @@
 // FCL's continuousCollide() of two meshes. Its solver by polynomials is not asked: it adds the motion to the models'
 // vertices, in their own axes, and leaves them there.
-#include <fcl/narrowphase/continuous_collision.h>
-
 #include <cmath>
 #include <limits>
 
 #include "engines/cast_engine.hpp"
+#include "engines/fcl_advancement.hpp"
 #include "engines/fcl_bodies.hpp"
 
 namespace ecods::bench {
@@ -32,12 +31,6 @@ class CastFcl final : public Casts::Engine {
     fcl::ContinuousCollisionRequestd request_;
     FclModels<Volume> models_;
 };
-
-fcl::ContinuousCollisionRequestd advancement() {
-    fcl::ContinuousCollisionRequestd request;
-    request.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
-    return request;
-}
 
 }  // namespace
 

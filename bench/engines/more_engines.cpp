@@ -7,6 +7,7 @@
 #include "engines/narrow_engine.hpp"
 #include "engines/polytopes_engine.hpp"
 #include "engines/rounded_engine.hpp"
+#include "engines/turn_engine.hpp"
 
 namespace ecods::bench {
 
@@ -25,6 +26,10 @@ std::vector<DistanceMaker> distance_engines() {
 
 std::vector<CastMaker> cast_engines() {
     return joined(ecods_casts(), fcl_casts(), bullet_casts());
+}
+
+std::vector<TurnMaker> turn_engines() {
+    return joined(ecods_turns(), fcl_turns());
 }
 
 std::vector<HitMaker> hit_engines() {

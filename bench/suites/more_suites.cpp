@@ -9,6 +9,7 @@
 #include "engines/polytopes_engine.hpp"
 #include "engines/rounded_engine.hpp"
 #include "engines/scene_engine.hpp"
+#include "engines/turn_engine.hpp"
 
 namespace ecods::bench {
 
@@ -16,6 +17,7 @@ std::vector<Suite> all_suites() {
     return {{"narrow", run_narrow, names_of(narrow_engines())},
             {"distance", run_distance, names_of(distance_engines())},
             {"casts", run_casts, names_of(hit_engines(), cast_engines())},
+            {"turn", run_turns, names_of(turn_engines())},
             {"solids", run_solids},
             {"certificates", run_certificates},
             {"convex", run_convex,

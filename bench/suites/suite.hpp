@@ -83,6 +83,7 @@ SuiteResult run_assembly(const SuiteOptions& options);      // the two-cylinder 
 SuiteResult run_narrow(const SuiteOptions& options);        // two meshes: time and errors of every engine
 SuiteResult run_distance(const SuiteOptions& options);      // two meshes: how far; time and errors of every engine
 SuiteResult run_casts(const SuiteOptions& options);         // segments, casts and moves: what is in the way, and when
+SuiteResult run_turns(const SuiteOptions& options);         // a mesh turns: when it first meets another one
 SuiteResult run_certificates(const SuiteOptions& options);  // answers with proofs: time and size
 SuiteResult run_solids(const SuiteOptions& options);        // what is inside what: pairs, points and meshes
 SuiteResult run_convex(const SuiteOptions& options);        // convex solids: how far, how deep, a thousand that move
