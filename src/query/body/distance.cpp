@@ -2,10 +2,12 @@
 // solids have a search of their own, whose features are those of the sets.
 #include "ecods/distance.hpp"
 
+#include <limits>
 #include <optional>
 
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
+#include "base/next.hpp"
 #include "ecods/intersection.hpp"
 #include "query/body/contained.hpp"
 #include "query/body/core_distance.hpp"
@@ -35,6 +37,20 @@ std::optional<ClosestPoints> closest_of_contained(const Posed<MeshShape>& a, con
     const Triangle& corners = mesh.triangles()[vertex.triangle];
     const Vec3 point = round_point(mesh.vertices()[corners[vertex.corner]], body.pose, memory);
     return ClosestPoints{0, ClosestKind::contained, features->a, features->b, point, point};
+}
+
+// Returns the doubles beside the rounded distance. If they are too far apart, it returns the two between which the
+// distance is.
+DistanceBounds bounds_of_convex(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
+                                const DistanceTolerance& tolerance, QueryMemory& memory, PairWitness& witness) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double nearest = convex::distance(a, b, memory, witness);
+    if (key_of(nearest) == 0) return {0, 0};
+    if (key_of(nearest) == infinity_key) return {std::numeric_limits<double>::max(), infinity};
+    const DistanceBounds beside{next_down(nearest), next_up(nearest)};
+    if (surface::is_narrow(beside, tolerance)) return beside;
+    const bool is_above = convex::within(a, b, exact::Limit{exact::ExactSum(nearest)}, memory, witness);
+    return is_above ? DistanceBounds{next_down(nearest), nearest} : DistanceBounds{nearest, next_up(nearest)};
 }
 
 }  // namespace
@@ -119,6 +135,9 @@ DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<MeshShape>
     QueryMemory& memory = asking.memory();
     const BodyPairAsked bodies(a, b);
     return as_one_query(memory, [&] {
+        if (bodies.are_convex()) {
+            return bounds_of_convex(bodies.a.convex(), bodies.b.convex(), tolerance, memory, asking.witness());
+        }
         if (is_part_inside(bodies, memory)) return DistanceBounds{0, 0};
         return surface::distance_bounds(bodies.a.boundary(), bodies.b.boundary(), tolerance,
                                         {memory, asking.witness()});

@@ -2,13 +2,19 @@
 #include "ecods/rounded.hpp"
 
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "base/next.hpp"
+#include "exact/simplex/common_pose.hpp"
 #include "query/body/core_distance.hpp"
+#include "query/body/posed_body.hpp"
 #include "query/body/rounded_pair.hpp"
 #include "query/body/small_pair.hpp"
+#include "query/convex/convex_core.hpp"
+#include "query/convex/solid_pair.hpp"
 #include "query/distance/surface_distance.hpp"
 #include "query/intersection/asking.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -26,6 +32,37 @@ DistanceBounds reduced(const DistanceBounds& bounds, const exact::ExactSum& marg
     if (!is_infinite(bounds.lower)) result.lower = positive_part((-margin).plus(bounds.lower).lower());
     if (!is_infinite(bounds.upper)) result.upper = positive_part((-margin).plus(bounds.upper).upper());
     return result;
+}
+
+using ConvexPair = std::pair<Posed<ConvexSolid>, Posed<ConvexSolid>>;
+
+// Returns the cores as convex sets of positive volume or flat ones, if they are such sets. The distance of these is
+// found without looking at all triangles that tie.
+std::optional<ConvexPair> convex_pair(const RoundedPair& pair) {
+    const auto is_convex = [](const Posed<MeshShape>& core) {
+        return convex::is_convex_core(*core.what) && exact::is_regular(core.pose.R);
+    };
+    const auto& [a, b] = pair;
+    if (are_surfaces(*a.core.what, *b.core.what) || !is_convex(a.core) || !is_convex(b.core)) return std::nullopt;
+    return ConvexPair{convex::convex_core(a.core), convex::convex_core(b.core)};
+}
+
+// Both are what core_distance.hpp says. The limit and the margin are positive.
+bool is_within(const RoundedPair& pair, const exact::Limit& limit, const Ask& ask) {
+    const auto cores = convex_pair(pair);
+    if (!cores || limit.sum.sign() <= 0) return cores::within(pair.a.core, pair.b.core, limit, ask);
+    Asking asking(ask);
+    return as_one_query(asking.memory(), [&] {
+        return convex::within(cores->first, cores->second, limit, asking.memory(), asking.witness());
+    });
+}
+double distance_beyond(const RoundedPair& pair, const exact::ExactSum& margin, const Ask& ask) {
+    const auto cores = convex_pair(pair);
+    if (!cores || margin.sign() <= 0) return cores::distance(pair.a.core, pair.b.core, margin, ask);
+    Asking asking(ask);
+    return as_one_query(asking.memory(), [&] {
+        return convex::distance_beyond(cores->first, cores->second, margin, asking.memory(), asking.witness());
+    });
 }
 
 // Counts a query that was answered without a search.
@@ -56,7 +93,7 @@ std::optional<int> RoundedPair::filtered(double max_distance, const Ask& ask) co
 
 bool RoundedPair::intersects(const Ask& ask) const {
     if (const auto sign = filtered(0, ask)) return *sign < 0;
-    return cores::within(a.core, b.core, exact::Limit{radii().sum()}, ask);
+    return is_within(*this, exact::Limit{radii().sum()}, ask);
 }
 
 double RoundedPair::distance(const Ask& ask) const {
@@ -71,14 +108,14 @@ double RoundedPair::distance(const Ask& ask) const {
         count_found(*segments, ask);
         return positive_part(*gap);
     }
-    return cores::distance(a.core, b.core, radii().sum(), ask);
+    return distance_beyond(*this, radii().sum(), ask);
 }
 
 bool RoundedPair::within(double max_distance, const Ask& ask) const {
     require_distance(max_distance);
     if (key_of(max_distance) == infinity_key) return true;
     if (const auto sign = filtered(max_distance, ask)) return *sign < 0;
-    return cores::within(a.core, b.core, exact::Limit{radii().sum().plus(max_distance)}, ask);
+    return is_within(*this, exact::Limit{radii().sum().plus(max_distance)}, ask);
 }
 
 ClosestPoints RoundedPair::closest(const Ask& ask) const {
@@ -91,23 +128,35 @@ ClosestPoints RoundedPair::closest(const Ask& ask) const {
     return cores::closest(a.core, b.core, radii(), ask);
 }
 
-// Bounds of the cores' distance suffice if they are narrow enough once the margin is taken off. Otherwise the distance
-// is rounded to nearest, and one comparison says on which side of the real one it is.
+// Convex cores have no bounds that cost less than the distance. Bounds of other cores' distance suffice if they are
+// narrow enough once the margin is taken off. Otherwise the distance is rounded to nearest, and one comparison says on
+// which side of the real one it is.
 DistanceBounds RoundedPair::distance_bounds(const DistanceTolerance& tolerance, const Ask& ask) const {
     surface::require_valid(tolerance);
     const exact::ExactSum margin = radii().sum();
     if (margin.sign() == 0) return ecods::distance_bounds(a.core, b.core, tolerance, ask);
+    SmallPair small(*this);
+    const auto segments = small.find_closest();
+    if (const auto bounds = segments ? segments->distance_bounds() : std::nullopt) {
+        count_found(*segments, ask);
+        return *bounds;
+    }
     Asking asking(ask);
     const Ask in_memory(asking.memory(), asking.witness());
-    DistanceTolerance of_cores = tolerance;
-    if (key_of(tolerance.max_distance) != infinity_key)
-        of_cores.max_distance = margin.plus(tolerance.max_distance).upper();
-    const DistanceBounds rough = reduced(ecods::distance_bounds(a.core, b.core, of_cores, in_memory), margin);
-    if (key_of(rough.lower) > key_of(tolerance.max_distance) || surface::is_narrow(rough, tolerance)) return rough;
+    if (!convex::is_convex_core(*a.core.what) || !convex::is_convex_core(*b.core.what)) {
+        DistanceTolerance of_cores = tolerance;
+        if (key_of(tolerance.max_distance) != infinity_key)
+            of_cores.max_distance = margin.plus(tolerance.max_distance).upper();
+        const DistanceBounds rough = reduced(ecods::distance_bounds(a.core, b.core, of_cores, in_memory), margin);
+        const bool is_far = key_of(rough.lower) > key_of(tolerance.max_distance);
+        if (is_far || surface::is_narrow(rough, tolerance)) return rough;
+    }
     const double nearest = distance(in_memory);
     if (key_of(nearest) == 0) return {0, 0};
     if (key_of(nearest) == infinity_key) return {double_max, infinity};
-    const bool is_above = cores::within(a.core, b.core, exact::Limit{margin.plus(nearest)}, in_memory);
+    const DistanceBounds beside{next_down(nearest), next_up(nearest)};
+    if (surface::is_narrow(beside, tolerance)) return beside;
+    const bool is_above = is_within(*this, exact::Limit{margin.plus(nearest)}, in_memory);
     return is_above ? DistanceBounds{next_down(nearest), nearest} : DistanceBounds{nearest, next_up(nearest)};
 }
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 
 #include "base/double_key.hpp"
+#include "base/limits.hpp"
+#include "base/next.hpp"
 #include "exact/measure/distance/name_features.hpp"
 #include "exact/number/power.hpp"
 #include "exact/point/segment_ends.hpp"
@@ -41,15 +43,30 @@ std::optional<RoundedSegments> RoundedSegments::find(const CoreAndRadius& a, con
 }
 
 // All three numbers are below 2^(unit + 123).
-std::optional<double> RoundedSegments::signed_distance() const noexcept {
+RoundedSegments::Gap RoundedSegments::gap() const noexcept {
     using exact::fixed_number;
     const int high = std::max({unit_ + w_.width(), exact::exponent_above(radii_.a), exact::exponent_above(radii_.b)});
     const int unit = high - 123;
-    const exact::FixedNumber gap =
-        w_.length(unit_ - unit) - (fixed_number(radii_.a, unit) + fixed_number(radii_.b, unit));
-    const std::optional<double> rounded = gap.rounded(unit);
-    const bool is_lost = rounded && key_of(*rounded) == 0 && gap.value != 0;
+    return {w_.length(unit_ - unit) - (fixed_number(radii_.a, unit) + fixed_number(radii_.b, unit)), unit};
+}
+
+std::optional<double> RoundedSegments::signed_distance() const noexcept {
+    const auto [number, unit] = gap();
+    const std::optional<double> rounded = number.rounded(unit);
+    const bool is_lost = rounded && key_of(*rounded) == 0 && number.value != 0;
     return is_lost ? std::nullopt : rounded;
+}
+
+std::optional<DistanceBounds> RoundedSegments::distance_bounds() const noexcept {
+    const std::optional<double> rounded = signed_distance();
+    if (!rounded || key_of(*rounded) == infinity_key) return std::nullopt;
+    const double nearest = positive_part(*rounded);
+    if (key_of(nearest) == 0) return DistanceBounds{0, 0};
+    const auto [number, unit] = gap();
+    const exact::FixedNumber above = number - exact::fixed_number(nearest, unit);
+    if (above.value == 0 && above.error == 0) return DistanceBounds{nearest, nearest};
+    if (exact::size_of(above.value) <= above.error) return std::nullopt;
+    return above.value < 0 ? DistanceBounds{next_down(nearest), nearest} : DistanceBounds{nearest, next_up(nearest)};
 }
 
 std::optional<ClosestPoints> RoundedSegments::signed_closest() const noexcept {

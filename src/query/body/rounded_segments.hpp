@@ -29,6 +29,8 @@ class RoundedSegments {
     // negative.
     std::optional<double> signed_distance() const noexcept;
     std::optional<ClosestPoints> signed_closest() const noexcept;
+    // Returns adjacent doubles around the distance of the rounded bodies, or the distance twice if it is a double.
+    std::optional<DistanceBounds> distance_bounds() const noexcept;
     // Returns the unit vector from the first core's closest point to the second's.
     std::optional<Vec3> direction() const noexcept;
 
@@ -48,6 +50,13 @@ class RoundedSegments {
     RoundedSegments(const exact::ClosestOnSegments& at, const exact::FixedVector& w, int unit,
                     const exact::Radii& radii, const Names& names) noexcept
         : at_(at), w_(w), unit_(unit), radii_(radii), names_(names) {}
+
+    // A number in units of 2^unit.
+    struct Gap {
+        exact::FixedNumber number;
+        int unit;
+    };
+    Gap gap() const noexcept;  // the distance of the cores less both radii
 
     exact::ClosestOnSegments at_;
     exact::FixedVector w_;

@@ -228,6 +228,41 @@ TEST_F(RoundedHullsTest, CoresThatMeet) {
     EXPECT_EQ(compare({1.625, 0.125, 0.0625}), std::nullopt) << "they touch";
 }
 
+// Faces with many triangles, all of which tie, are compared once.
+TEST_F(RoundedHullsTest, StackedCylinders) {
+    const auto tube = cylinder(1, 2, 40).solid;
+    const Ball wide = around(tube, 0.25), narrow = around(tube, 0.125);
+    const Ball tile = around(mesh({{-0.5, -0.5, 3}, {0.5, -0.5, 3}, {0, 0.5, 3}}, {0, 1, 2}), 0.125);
+    const auto expect_few = [](const auto& a, const auto& b, double expected) {
+        QueryMemory memory;
+        EXPECT_EQ(distance(a, b, memory), expected);
+        EXPECT_TRUE(within(a, b, expected, memory));
+        EXPECT_FALSE(within(a, b, std::nextafter(expected, 0), memory));
+        for (const DistanceTolerance& tolerance : {DistanceTolerance{}, {.relative = 0.5}, {.max_distance = 0.5}}) {
+            const DistanceBounds bounds = distance_bounds(a, b, tolerance, memory);
+            EXPECT_LE(bounds.lower, expected);
+            EXPECT_GE(bounds.upper, expected);
+        }
+        EXPECT_LE(memory.counts().distances.exact, 32U);
+    };
+    expect_few(Posed<Rounded>(*wide, Pose()), Posed<Rounded>(*narrow, at(0, 0, 4)), 1.625);
+    expect_few(Posed<Rounded>(*tile, Pose()), Posed<Rounded>(*narrow, Pose()), 1.75);
+    expect_few(Posed<MeshShape>(*tube, Pose()), Posed<MeshShape>(*tube, at(0, 0, 4)), 2.0);
+}
+
+TEST_F(RoundedHullsTest, Bounds) {
+    for (int i = 0; i < 200; ++i) {
+        const Ball a = around(thin(0.5), random_.uniform(0.01, 0.5)), b = around(solid(1), 0.25);
+        const Posed<Rounded> x(*a, pose(3)), y(*b, pose(1));
+        const double nearest = distance(x, y);
+        const DistanceBounds bounds = distance_bounds(x, y, {});
+        EXPECT_LE(key_of(bounds.upper) - key_of(bounds.lower), 1);
+        EXPECT_TRUE(within(x, y, bounds.upper));
+        EXPECT_TRUE(bounds.lower == bounds.upper || !within(x, y, bounds.lower) || bounds.lower == 0);
+        EXPECT_TRUE(bounds.lower == nearest || bounds.upper == nearest);
+    }
+}
+
 TEST_F(RoundedHullsTest, EachEnvironment) {
     std::vector<Pair> pairs;
     for (int i = 0; i < 30; ++i) {
