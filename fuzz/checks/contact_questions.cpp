@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,11 +14,14 @@
 #include "ecods/cast.hpp"
 #include "ecods/cast_to_distance.hpp"
 #include "ecods/contact.hpp"
+#include "ecods/deforming.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/checks/truth.hpp"
 #include "fuzz/checks/way_bodies.hpp"
+#include "judge/cast_truth.hpp"
 #include "oracle/distance.hpp"
+#include "oracle/first_contact.hpp"
 #include "oracle/rounded.hpp"
 #include "oracle/rounded_motion.hpp"
 #include "oracle/solid.hpp"
@@ -255,6 +259,36 @@ void check_to_distance(const Way& way, double d, QueryMemory& memory, Counters& 
     ++counters["checked: casts to a distance by the oracle"];
 }
 
+// A surface in the world whose vertices go along the motion, each a bit aside, against the other one, which is at rest.
+void check_deforming(const Way& way, scenes::Random& random, QueryMemory& memory, Counters& counters) {
+    std::vector<Vec3> from, to;
+    const double aside = random.below(3) == 0 ? 0 : 0.25 * way.motion.norm();
+    for (const Vec3& v : way.a.what->mesh().vertices()) {
+        from.push_back(way.a.pose.R * v + way.a.pose.t);
+        to.push_back(from.back() + way.motion + random.uniform(0, aside) * random.direction());
+        if (!from.back().allFinite() || !to.back().allFinite()) return;
+    }
+    const auto triangles = way.a.what->mesh().triangles();
+    const auto start = std::make_shared<const MeshShape>(Mesh::create(from, {triangles.begin(), triangles.end()}));
+    const Deforming mesh(start, to);
+    const MeshShape other(way.b.what->mesh_ptr());
+    const Posed<MeshShape> at_rest(other, way.b.pose);
+    const oracle::Soup there{other.mesh().vertices(), other.mesh().triangles(), way.b.pose};
+    const auto require = [](const char* what, const std::optional<FirstContact>& got,
+                            const std::optional<oracle::ExactContact>& exact) {
+        const auto expected = judge::to_first_contact(exact);
+        if (!judge::is_same(got, expected)) throw CheckFailed(what, judge::text(expected), judge::text(got));
+    };
+    const oracle::DeformingSoup moves{{start->mesh().vertices(), triangles, Pose()},
+                                      {mesh.mesh_at_end().vertices(), triangles, Pose()}};
+    const auto exact = oracle::first_contact(moves, oracle::DeformingSoup{there, there});
+    require("cast of a deforming mesh", cast(mesh, at_rest, 1, memory), exact);
+    require("cast of a deforming mesh, exchanged", cast(at_rest, mesh, 1, memory),
+            oracle::first_contact(oracle::DeformingSoup{there, there}, moves));
+    ++counters["checked: casts of deforming meshes"];
+    counters["checked: deforming meshes that meet others"] += exact.has_value();
+}
+
 // A World says what asking body by body says.
 void check_world(const World& world, BodyId own, const Vec3& motion, QueryMemory& memory) {
     std::optional<BodyEntry> expected;
@@ -303,6 +337,7 @@ void check_contacts(std::span<World* const> worlds, std::uint32_t seed, Counters
     const double size = motion.norm();
     const double d = random.below(4) == 0 ? 0.25 : size * (random.below(2) == 0 ? 0.125 : random.uniform(0, 0.5));
     if (std::isfinite(d) && way.pair_count() <= near_pairs_max) check_to_distance(way, d, memory, counters);
+    if (way.pair_count() <= solid_pairs_max) check_deforming(way, random, memory, counters);
     if (std::ranges::all_of(bodies, is_mesh)) check_world(*worlds[seed % worlds.size()], own, motion, memory);
 }
 

@@ -1,5 +1,6 @@
-// The questions of cast.hpp, contact.hpp and cast_to_distance.hpp about two bodies of a world that are meshes, of which
-// one is translated: when it enters the other one, where both first touch, and when they are first within a distance.
+// The questions of cast.hpp, contact.hpp, cast_to_distance.hpp and deforming.hpp about two bodies of a world that are
+// meshes, of which one is translated: when it enters the other one, where both first touch, and when they are first
+// within a distance.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,7 @@ namespace ecods::fuzz {
 //    that of the exchanged bodies, turned around, and points along the motion;
 //  - cast_to_distance() is that of all pairs of triangles by the oracle, or at least at that distance or further at
 //    samples before it, and is the same in both orders and up to limits of time;
+//  - a surface whose vertices each go to a place of their own meets the other one as the oracle says;
 //  - and World::entering and contact_point are those of two bodies.
 void check_contacts(std::span<World* const> worlds, std::uint32_t seed, Counters& counters);
 

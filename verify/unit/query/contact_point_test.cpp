@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
@@ -91,6 +92,22 @@ TEST(ContactPoint, OfEachKind) {
 }
 
 // A flat solid without a face has zero-area triangles only, which count.
+// A needle falls on the ridge of a roof. Posts at the ends of the ridge share a vertex with it, and are not at the
+// edge.
+TEST(ContactPoint, TrianglesAtTheEndOfAnEdgeDoNotCount) {
+    const std::vector<Vec3> corners{{-2, 0, 0}, {2, 0, 0},  {0, 2, -2}, {0, -2, -2},
+                                    {-2, 0, 4}, {-2, 1, 4}, {2, 0, 4},  {2, 1, 4}};
+    const std::vector<Triangle> roof{{0, 1, 2}, {0, 3, 1}}, with_posts{{0, 4, 5}, {0, 1, 2}, {0, 3, 1}, {1, 6, 7}};
+    const MeshShape needle(Mesh::create({{0, 0, 0}, {0.125, 0, 2}, {-0.125, 0.25, 2}}, {{0, 1, 2}}));
+    for (const auto& triangles : {roof, with_posts}) {
+        const MeshShape below(Mesh::create(corners, triangles));
+        const ContactPoint found =
+            point_of({needle, at({0.5, 0, 1})}, {0, 0, -2}, {below, Pose()}, ClosestKind::vertex_edge);
+        EXPECT_EQ(found.point, Vec3(0.5, 0, 0));
+        EXPECT_EQ(found.normal, Vec3(0, 0, -1));
+    }
+}
+
 TEST(ContactPoint, OfSegmentsAndPoints) {
     const ConvexSolid point(std::vector<Vec3>{{0, 0, 0}}), rod(std::vector<Vec3>{{0, 0, 0}, {0, 0, 4}});
     const Solid cube(box({-1, -1, -1}, {1, 1, 1}));

@@ -126,6 +126,18 @@ TEST(SidedHits, OfASurface) {
     EXPECT_EQ(of_needle[0].passage, Passage::grazes);
 }
 
+// A point, and a segment that the line runs along, have no area beside the line: it crosses neither.
+TEST(SidedHits, OfPointsAndSegments) {
+    const Ray ray{{-3, 0, 0}, {1, 0, 0}};
+    for (const Vec3& end : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)}) {
+        const MeshShape thin(Mesh::create({{0, 0, 0}, end}, {{0, 1, 1}}));
+        const auto sides = sided_hits(ray, {thin, Pose()});
+        ASSERT_EQ(sides.size(), 1U);
+        EXPECT_EQ(sides[0].passage, Passage::grazes);
+        EXPECT_FALSE(sides[0].normal);
+    }
+}
+
 TEST(HitNormal, OfOneHit) {
     const Posed<MeshShape> body(roof(), Pose());
     const Ray ray{{1, 0.5, 5}, {0, 0, -1}};
