@@ -25,7 +25,7 @@ class TranslatedPairs {
         return true;
     }
 
-    // As a PairQuestion has them (query/search).
+    // The search calls these two functions (query/search).
     float limit_above(double time) const noexcept { return axes_.window_above(time); }
     template <class X, class Y>
     std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
