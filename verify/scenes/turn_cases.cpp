@@ -1,5 +1,6 @@
 #include "scenes/turn_cases.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -326,6 +327,11 @@ Families<TurnCase> turn_families() {
 
 Turn turn_beside(Random& random, const TurnCase& made) {
     const auto& [w, x, y, z] = made.turn.q;
+    // Pivots are as far as the bodies are large.
+    double size = 0;
+    for (const Vec3& v : made.a->vertices()) size = std::max(size, (made.pose_a.R * v).cwiseAbs().maxCoeff());
+    const double unit = size > 0 && size < 0x1p1000 ? std::ldexp(1.0, std::ilogb(size)) : 1;
+    const auto point = [&](int most) { return Vec3(unit * lattice_point(random, most)); };
     const auto moved = [](const Turn& turn, const Vec3& by) {
         return Turn{turn.q, turn.pivot_from + by, turn.pivot_to + by};
     };
@@ -337,12 +343,12 @@ Turn turn_beside(Random& random, const TurnCase& made) {
         case 2:
             return {{w, -x, -y, -z}, made.turn.pivot_from, made.turn.pivot_to};
         case 3:
-            return moved(made.turn, lattice_point(random, 2));
+            return moved(made.turn, point(2));
         case 4:
-            return moved(Turn{{w, -x, -y, -z}, made.turn.pivot_from, made.turn.pivot_to}, lattice_point(random, 2));
+            return moved(Turn{{w, -x, -y, -z}, made.turn.pivot_from, made.turn.pivot_to}, point(2));
         default: {
-            const Vec3 pivot = lattice_point(random, 3);
-            return {small_quaternion(random, 2), pivot, coin(random) ? pivot : Vec3(pivot + lattice_point(random, 2))};
+            const Vec3 pivot = point(3);
+            return {small_quaternion(random, 2), pivot, coin(random) ? pivot : Vec3(pivot + point(2))};
         }
     }
 }
