@@ -5,6 +5,10 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "exact/measure/contact/both_turning_points.hpp"
 #include "exact/measure/contact/first_meeting.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
 #include "scenes/random.hpp"
@@ -172,6 +176,53 @@ TEST(BothTurningTriangles, KnownMeetings) {
     const auto third = meeting_of({5, 0, 0}, forth, {2, 4, 0}, glide);
     ASSERT_TRUE(third);
     EXPECT_EQ(third->time, 1 / 3.0);
+}
+
+// In a piece of time the difference of two corners is within the margins of a straight motion at the same time, and no
+// two corners go farther than their way, in doubles; turns are fast and slow.
+TEST(BothTurningTriangles, MarginsAndWays) {
+    scenes::Random random(44);
+    int bounded = 0;
+    double nearest = 0;
+    for (int run = 0; run < 400; ++run) {
+        const Motion motion = any_motion(random);
+        std::array<TurnAngles, 2> angles;
+        BothTurningPoints points{{}, 0x1p-1000, {}};
+        const auto point_of = [](const Vec3& v) { return Point{v[0], v[1], v[2]}; };
+        for (std::size_t i = 0; i < 6; ++i) points.start[i] = point_of(motion.corners[i]);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const OneTurn& turn = motion.turns[i];
+            angles[i] = TurnAngles(turn.w, turn.v);
+            points.turns[i] = {point_of(turn.from), point_of(turn.to - turn.from), 0x1p-1000, 0x1p-1000, &angles[i]};
+        }
+        const BothTurningCorners corners(points);
+        const double from = random.uniform(0, 1), length = std::min(1 - from, random.uniform(0, 0.25));
+        const auto start = corners.at(from), end = corners.at(from + length);
+        const Point margins = corners.margins(start, end);
+        for (const double part : {0.25, 0.5, 0.75}) {
+            const auto at = corners.at(from + part * length);
+            const double way = corners.way(start, length);
+            double most_a = 0, most_b = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                for (std::size_t i = 0; i < 3; ++i) {
+                    most_a = std::max(most_a, std::abs(at.points[i][k] - start.points[i][k]));
+                    most_b = std::max(most_b, std::abs(at.points[3 + i][k] - start.points[3 + i][k]));
+                    for (std::size_t j = 3; j < 6; ++j) {
+                        const auto gap = [&](const BothTurningCorners::At& x) {
+                            return x.points[j][k] - x.points[i][k];
+                        };
+                        const double off = std::abs(gap(at) - ((1 - part) * gap(start) + part * gap(end)));
+                        EXPECT_LE(off, margins[k] + 1e-12) << run << ' ' << part;
+                        if (margins[k] > 1e-6) nearest = std::max(nearest, off / margins[k]);
+                    }
+                }
+            }
+            EXPECT_LE(most_a + most_b, way + 1e-12) << run << ' ' << part;
+            bounded += margins[0] < 1 && way < 10;
+        }
+    }
+    EXPECT_GT(bounded, 300);
+    EXPECT_GT(nearest, 0.6);
 }
 
 }  // namespace
