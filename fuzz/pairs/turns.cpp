@@ -1,9 +1,11 @@
 #include <string>
 
+#include "ecods/error.hpp"
 #include "fuzz/pairs/case_run.hpp"
 #include "judge/both_turn_truth.hpp"
 #include "judge/text.hpp"
 #include "judge/turn_truth.hpp"
+#include "judge/way_questions.hpp"
 
 namespace ecods::fuzz {
 namespace {
@@ -30,10 +32,34 @@ class Run : CaseRun {
         require_answers(made, judged, "every form");
         if (random_.below(4) == 0) require_answers_in_environment(made, judged);
         if (random_.below(2) == 0) check_both(made);
+        require_ways(made);
         ++index_;
     }
 
   private:
+    // The turn as a way, and through another node and back; the points of contacts; and a gap at the end of the turn.
+    void require_ways(const scenes::TurnCase& made) {
+        if (made.a->triangles().size() * made.b->triangles().size() > way_pairs_max) return;
+        const MeshShape a(made.a), b(made.b);
+        const Turning<MeshShape> turning(a, made.pose_a, made.turn);
+        const Posed<MeshShape> other(b, made.pose_b);
+        const auto number = [&] { return static_cast<double>(random_.below(9)) - 4; };
+        const WayNode between{{number(), number(), number(), 0.5}, made.turn.pivot_to};
+        Pose to = pose_at(made.pose_a, made.turn, 1);
+        if (random_.below(2) == 0) to.t += random_.uniform(0, 1) * (made.pose_b.t - to.t);
+        try {
+            require(judge::ask_about_turn_as_way(turning, between, other, {memory_, witness_}), made, "as a way");
+            if (to.R.allFinite() && to.t.allFinite()) {
+                require(judge::ask_about_settling(turning, to, other, {memory_, witness_}), made, "the gap at the end");
+            }
+        } catch (const NotSupported&) {
+            ++counts_.checks["a way that is not supported"];
+        } catch (const InvalidArgument&) {
+            ++counts_.checks["a way with opposite nodes"];
+        }
+    }
+
+    static constexpr std::size_t way_pairs_max = 64;
     static constexpr std::size_t pairs_max = 16;  // of triangles
     static constexpr std::size_t both_pairs_max = 36;
 

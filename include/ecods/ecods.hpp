@@ -53,6 +53,7 @@
 #include "ecods/hit.hpp"              // what does a segment or a ray hit?
 #include "ecods/cast.hpp"             // when does a body on the move first meet another?
 #include "ecods/turn.hpp"             // when does a body that turns first meet another?
+#include "ecods/way.hpp"              // when does a body that turns from node to node first meet another?
 #include "ecods/deforming.hpp"        // when does a mesh that deforms first meet another?
 #include "ecods/cast_to_distance.hpp" // when is a moving body first within a distance of another?
 #include "ecods/solid.hpp"            // what is inside what, and how deep?

@@ -25,7 +25,10 @@
 //
 // A turn ends at the rotation q R of the start's matrix R, which is rarely a matrix of doubles. The end is therefore
 // about 1e-16 of the body's size away from any pose in doubles; end_gap() bounds that distance. Who goes on from such a
-// pose should know that nothing is said about the gap between.
+// pose asks settle() whether the gap between is free. A Way (way.hpp) of several turns has no gaps.
+//
+// Not here: the first time at which a turning body is within a distance of another one has no call, since that is a
+// root of degree 6, and the exact decision knows roots of degree 3; ask with a rounded() body at rest for translations.
 //
 // Example: verify/examples/how_do_i, turn_past_a_post().
 #pragma once
@@ -99,6 +102,16 @@ namespace ecods {
 // angle is negative or NaN (Argument::time; Argument::turn, "angle").
 [[nodiscard]] ECODS_API double angle_at(const Turn& turn, double time);
 [[nodiscard]] ECODS_API double time_at(const Turn& turn, double angle);
+
+// Returns the first contact with b on the straight way of each vertex of a from where it is at the end of the turn, as
+// a real point, to where it is at the pose `to`; nullopt if there is none. Ask it after a cast() without contact,
+// before going on from `to`: then the body has met nothing on the turn nor in the gap. The time is from 0 to 1 on that
+// way, and exact, as in cast.hpp. Triangles alone are asked: that no part of a is inside of b at the end of the turn is
+// what the cast has said. If triangles share a point there, the time is 0. Needed only if the bodies may be nearer than
+// end_gap() at the end; where they are not, it costs about as much as intersects(). Neither uses nor keeps scratch
+// memory of `ask`. Throws InvalidArgument.
+[[nodiscard]] ECODS_API std::optional<FirstContact> settle(const Turning<MeshShape>& a, const Pose& to,
+                                                           const Posed<MeshShape>& b, const Ask& ask = {});
 
 // Returns an upper bound of the distance between where a vertex of the shape is at the end of the turn that starts at
 // `from`, and where it is at the pose `to`, over all vertices. It is usually some 1e-16 of the shape's size if the turn

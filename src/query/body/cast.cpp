@@ -4,6 +4,7 @@
 
 #include "base/limits.hpp"
 #include "ecods/turn.hpp"
+#include "ecods/way.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/body/contained.hpp"
 #include "query/cast/cast_until.hpp"
@@ -88,6 +89,47 @@ std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Turning<Mesh
                                                  Turning<MeshShape>(*y.what, b.pose, b.turn), latest, asking.memory(),
                                                  asking.witness());
                            });
+}
+
+std::optional<WayContact> cast(const Way<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
+    validate(a.nodes);
+    Asking asking(ask);
+    const Posed<MeshShape> start(*a.what, a.pose);
+    if (are_surfaces(*a.what, *b.what)) return cast_until(a, b, asking.memory(), asking.witness());
+    std::size_t leg = 0;
+    const auto contact = cast_boundaries({start, b}, asking.memory(), [&](const auto& x, const auto& y) {
+        const auto found = cast_until(Way<MeshShape>(*x.what, a.pose, a.nodes), y, asking.memory(), asking.witness());
+        leg = found ? found->leg : 0;
+        return found ? std::optional(found->contact) : std::nullopt;
+    });
+    return contact ? std::optional(WayContact{leg, *contact}) : std::nullopt;
+}
+
+namespace {
+
+std::optional<FirstContact> settle_on(const Posed<MeshShape>& a, const TurnLeg& leg, const Pose& to,
+                                      const Posed<MeshShape>& b, const Ask& ask) {
+    validate(to);
+    Asking asking(ask);
+    const BodyPairAsked bodies(a, b);
+    const Posed<MeshShape>& of_b = bodies.b.boundary();
+    auto contact = settle_from(*bodies.a.boundary().what, leg, to, of_b, asking.memory(), asking.witness());
+    if (contact) bodies.rename(*contact);
+    return contact;
+}
+
+}  // namespace
+
+std::optional<FirstContact> settle(const Turning<MeshShape>& a, const Pose& to, const Posed<MeshShape>& b,
+                                   const Ask& ask) {
+    validate(a.turn);
+    return settle_on({*a.what, a.pose}, leg_of(a.pose, a.turn), to, b, ask);
+}
+
+std::optional<FirstContact> settle(const Way<MeshShape>& a, const Pose& to, const Posed<MeshShape>& b, const Ask& ask) {
+    validate(a.nodes);
+    const std::size_t last = a.nodes.size() - 1;
+    return settle_on({*a.what, a.pose}, leg_of(a.pose, a.nodes[0], a.nodes[last - 1], a.nodes[last]), to, b, ask);
 }
 
 }  // namespace ecods

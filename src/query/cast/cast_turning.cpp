@@ -1,3 +1,6 @@
+#include <span>
+#include <vector>
+
 #include "geometry/find_invalid.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/cast/search_pieces.hpp"
@@ -8,13 +11,34 @@
 namespace ecods {
 namespace {
 
-std::optional<FirstContact> search_pieces(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                                          double latest, QueryMemory& memory, PairWitness& witness) {
+// Searches one leg, of a turn or of a way. `are_apart` says that the bodies are known to share no point where it
+// begins.
+std::optional<FirstContact> search_leg(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, double latest,
+                                       bool are_apart, QueryMemory& memory, PairWitness& witness) {
     using Search = PieceSearch<TurningQuestion>;
     auto& working = QueryMemoryAccess::part<Search::Working>(memory, &QueryMemoryAccess::State::turning);
-    working.question.motion().bind(a, motion, b, QueryMemoryAccess::state(memory).counts.casts);
-    const Posed<MeshShape> start(*a.what, a.pose);
-    return Search(start, b, latest, memory, witness, working).run();
+    working.question.motion().bind(a, leg, b, QueryMemoryAccess::state(memory).counts.casts);
+    const Posed<MeshShape> start(a, leg.start);
+    Search search(start, b, latest, memory, witness, working);
+    if (are_apart) search.begin_apart();
+    return search.run();
+}
+
+std::optional<FirstContact> search_turn(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
+                                        double latest, QueryMemory& memory, PairWitness& witness) {
+    const TurnLeg leg = leg_of(a.pose, a.turn, motion);
+    return search_leg(*a.what, leg, b, latest, false, memory, witness);
+}
+
+// A leg that is not the first one begins where the bodies are known to share no point: at time 1 of the leg before.
+std::optional<WayContact> search_way(const Posed<MeshShape>& a, std::span<const WayNode> nodes,
+                                     const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+        const TurnLeg leg = leg_of(a.pose, nodes[0], nodes[k], nodes[k + 1]);
+        const auto contact = search_leg(*a.what, leg, b, 1, k > 0, memory, witness);
+        if (contact) return WayContact{k, *contact};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -24,11 +48,22 @@ std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Vec3& 
     validate_motion(motion_of_b);
     ++QueryMemoryAccess::state(memory).counts.queries;
     const OtherUnits units(a, motion_of_b, b);
-    if (!units.are_better()) return search_pieces(a, motion_of_b, b, latest, memory, witness);
-    const Turning<MeshShape> scaled_a = units.of(a);
-    const Posed<MeshShape> scaled_b = units.of(b);
-    const Vec3 motion = units.of(motion_of_b);
-    return as_part(memory, [&] { return search_pieces(scaled_a, motion, scaled_b, latest, memory, witness); });
+    if (!units.are_better()) return search_turn(a, motion_of_b, b, latest, memory, witness);
+    return as_part(
+        memory, [&] { return search_turn(units.of(a), units.of(motion_of_b), units.of(b), latest, memory, witness); });
+}
+
+std::optional<WayContact> cast_until(const Way<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
+                                     PairWitness& witness) {
+    ++QueryMemoryAccess::state(memory).counts.queries;
+    const Posed<MeshShape> start(*a.what, a.pose);
+    std::vector<Vec3> pivots;
+    for (const WayNode& node : a.nodes) pivots.push_back(node.pivot);
+    const OtherUnits units(start, b, pivots);
+    if (!units.are_better()) return search_way(start, a.nodes, b, memory, witness);
+    std::vector<WayNode> nodes = a.nodes;
+    for (WayNode& node : nodes) node.pivot = units.of(node.pivot);
+    return as_part(memory, [&] { return search_way(units.of(start), nodes, units.of(b), memory, witness); });
 }
 
 }  // namespace ecods

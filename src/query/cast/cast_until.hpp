@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "ecods/cast.hpp"
+#include "ecods/way.hpp"
+#include "query/cast/turn_leg.hpp"
 
 namespace ecods {
 
@@ -23,6 +25,14 @@ std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Vec3& 
                                        double latest, QueryMemory& memory, PairWitness& witness);
 std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Turning<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness);
+
+// Returns the first contact on the way, whose nodes must be valid.
+std::optional<WayContact> cast_until(const Way<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
+                                     PairWitness& witness);
+
+// Returns the first contact of a on its straight way from where the leg ends to a pose.
+std::optional<FirstContact> settle_from(const MeshShape& a, const TurnLeg& leg, const Pose& to,
+                                        const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness);
 
 // Returns the contact at time 0 of bodies that share a point before they move. Call only if they do. The work is
 // counted as a part of the query that calls it.

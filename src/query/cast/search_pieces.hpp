@@ -30,6 +30,9 @@ class PieceSearch {
           working_(working),
           motion_(working.question.motion()) {}
 
+    // Says that the bodies share no point at time 0.
+    void begin_apart() noexcept { is_start_known_ = true; }
+
     std::optional<FirstContact> run() {
         std::vector<double> ends{latest_};  // of pieces; the next one is last
         double from = 0;

@@ -7,19 +7,22 @@
 #include <string>
 
 #include "base/limits.hpp"
+#include "exact/number/nearest_double.hpp"
 #include "exact/point/vectors.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/cast/cosine_bounds.hpp"
 #include "query/cast/exact_turn.hpp"
-#include "query/cast/nearest_double.hpp"
 
 namespace ecods {
 namespace {
 
+using exact::binary_fraction;
 using exact::BinaryFraction;
 using exact::Integer;
+using exact::nearest_double;
 
 constexpr double two_pi_above = 0x1.921fb54442d19p+2;  // the least double above 2 pi
+constexpr double rounded_max = 8;                      // all that is rounded here is less
 
 Integer magnitude_of(const Integer& x) {
     return x.sign() < 0 ? -x : x;
@@ -58,7 +61,8 @@ double angle_nearest_to(const Turn& turn, double time) {
     const double size = std::hypot(q.x, q.y, q.z);
     const double guess = 2 * std::atan2(time * size, (1 - time) + time * q.w);
     const ExactTurn at(q, binary_fraction(time));
-    return nearest_double(guess, [&](const BinaryFraction& m) { return compare_angle(at, m) > 0; });
+    return nearest_double(
+        guess, [&](const BinaryFraction& m) { return compare_angle(at, m); }, rounded_max);
 }
 
 void require_time_of_turn(double time) {
@@ -68,19 +72,20 @@ void require_time_of_turn(double time) {
 // Returns the magnitude of cos t or sin t times a root, sqrt(square / all), rounded once. t is positive.
 double rounded_product(const BinaryFraction& t, bool is_sine, const Integer& square, const Integer& all, double guess) {
     if (square.is_zero()) return 0;
-    return nearest_double(guess, [&](const BinaryFraction& m) {
+    const auto compare_magnitude = [&](const BinaryFraction& m) {
         return decide_by_cosine(t, [&](const CosineBounds& bounds) {
-                   // Compares (bounds / scale)^2 square / all with (m / 2^bits)^2.
-                   const Integer& value = is_sine ? bounds.sin : bounds.cos;
-                   const Integer size = magnitude_of(value) << m.bits, off = bounds.off << m.bits;
-                   const Integer other = m.m * bounds.scale;
-                   const auto compare_with = [&](const Integer& x) {
-                       return x.sign() <= 0 ? -1 : compare((x * x) * square, (other * other) * all);
-                   };
-                   if (compare_with(size - off) > 0) return 1;
-                   return compare_with(size + off) < 0 ? -1 : 0;
-               }) > 0;
-    });
+            // Compares (bounds / scale)^2 square / all with (m / 2^bits)^2.
+            const Integer& value = is_sine ? bounds.sin : bounds.cos;
+            const Integer size = magnitude_of(value) << m.bits, off = bounds.off << m.bits;
+            const Integer other = m.m * bounds.scale;
+            const auto compare_with = [&](const Integer& x) {
+                return x.sign() <= 0 ? -1 : compare((x * x) * square, (other * other) * all);
+            };
+            if (compare_with(size - off) > 0) return 1;
+            return compare_with(size + off) < 0 ? -1 : 0;
+        });
+    };
+    return nearest_double(guess, compare_magnitude, rounded_max);
 }
 
 }  // namespace
@@ -102,7 +107,8 @@ double time_at(const Turn& turn, double angle) {
     const Quaternion& q = turn.q;
     const double size = std::hypot(q.x, q.y, q.z), half = 0.5 * angle;
     const double guess = std::sin(half) / ((1 - q.w) * std::sin(half) + size * std::cos(half));
-    return nearest_double(guess, [&](const BinaryFraction& m) { return compare_angle(ExactTurn(q, m), given) < 0; });
+    const auto compare_with = [&](const BinaryFraction& m) { return -compare_angle(ExactTurn(q, m), given); };
+    return nearest_double(guess, compare_with, rounded_max);
 }
 
 Turn about(const Vec3& axis, double angle, const Vec3& pivot) {

@@ -7,84 +7,14 @@
 
 #include "base/arithmetic.hpp"
 #include "base/limits.hpp"
-#include "exact/measure/round/fraction.hpp"
 #include "exact/point/point.hpp"
 #include "exact/point/vectors.hpp"
 #include "geometry/find_invalid.hpp"
 #include "geometry/used_vertices.hpp"
-#include "query/cast/exact_turn.hpp"
+#include "query/cast/turn_leg.hpp"
 
 namespace ecods {
 namespace {
-
-using exact::BinaryFraction;
-using exact::Dyadic;
-using exact::Integer;
-using exact::LongVector3;
-
-// Vectors of doubles as integers in one unit, 2^low.
-class CommonInteger {
-  public:
-    void include(const Vec3& v) noexcept {
-        for (int k = 0; k < 3; ++k) digits_.include(exact::decode(v[k]));
-    }
-    int low() const noexcept { return digits_.empty() ? 0 : digits_.low; }
-    LongVector3 of(const Vec3& v) const {
-        LongVector3 result;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Dyadic x = exact::decode(v[static_cast<Eigen::Index>(k)]);
-            if (x.m != 0) result[k] = Integer(x.m) << (x.e - low());
-        }
-        return result;
-    }
-
-  private:
-    exact::BitRange digits_;
-};
-
-// Returns num 2^low / den, rounded once; den is positive.
-double rounded(const Integer& num, const Integer& den, int low) {
-    if (num.is_zero()) return 0;
-    const Integer over = low < 0 ? den << -low : den, size = low > 0 ? num << low : num;
-    const double result = exact::round_fraction({size.limbs(), over.limbs()});
-    return num.sign() < 0 ? -result : result;
-}
-
-Vec3 rounded(const LongVector3& num, const Integer& den, int low) {
-    return {rounded(num[0], den, low), rounded(num[1], den, low), rounded(num[2], den, low)};
-}
-
-LongVector3 times(const Integer& k, const LongVector3& v) {
-    return {k * v[0], k * v[1], k * v[2]};
-}
-
-LongVector3 plus(const LongVector3& a, const LongVector3& b) {
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-// Returns the pose at a time minus `other`, each entry rounded once.
-Pose pose_less(const Pose& pose, const Turn& turn, double time, const Pose& other) {
-    const ExactTurn at(turn.q, binary_fraction(time));
-    Pose result;
-    CommonInteger linear, place;
-    for (int k = 0; k < 3; ++k) {
-        linear.include(pose.R.col(k));
-        linear.include(other.R.col(k));
-    }
-    for (int k = 0; k < 3; ++k) {
-        const LongVector3 turned = at.rotated(linear.of(pose.R.col(k)));
-        result.R.col(k) =
-            rounded(exact::minus(turned, times(at.norm, linear.of(other.R.col(k)))), at.norm, linear.low());
-    }
-    for (const Vec3* v : {&pose.t, &other.t, &turn.pivot_from, &turn.pivot_to}) place.include(*v);
-    // With c the pivot, m its way, and s = i / 2^bits: 2^bits (Q (t - c) + N (c - other)) + N i m, over N 2^bits.
-    const LongVector3 c = place.of(turn.pivot_from), m = exact::minus(place.of(turn.pivot_to), c);
-    const LongVector3 arm = at.rotated(exact::minus(place.of(pose.t), c));
-    const LongVector3 still = plus(arm, times(at.norm, exact::minus(c, place.of(other.t))));
-    const Integer one = Integer(std::int64_t{1}) << at.time.bits;
-    result.t = rounded(plus(times(one, still), times(at.norm * at.time.m, m)), at.norm << at.time.bits, place.low());
-    return result;
-}
 
 const Pose no_pose{Mat3::Zero(), Vec3::Zero()};
 
@@ -114,7 +44,7 @@ Pose pose_at(const Pose& pose, const Turn& turn, double time) {
     validate(pose);
     validate(turn);
     if (!is_from_zero(time) || key_of(time) > key_of(1.0)) throw invalid_time(time);
-    return pose_less(pose, turn, time, no_pose);
+    return pose_less(leg_of(pose, turn), time, no_pose);
 }
 
 // The difference of both places of v is D v + d. Each of its entries is rounded once, and products and sums as computed
@@ -124,7 +54,7 @@ double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const
     validate(from);
     validate(turn);
     validate(to);
-    const Pose difference = pose_less(from, turn, 1, to);
+    const Pose difference = pose_less(leg_of(from, turn), 1, to);
     const Mat3 size = difference.R.cwiseAbs();
     if (difference == no_pose) return 0;
     double most = 0;

@@ -23,7 +23,8 @@ double length_above(const Vec3& v);
 //
 // Bound. Each entry of a place is computed like a corner in turning_points.hpp, from exact numbers, or from a pivot
 // that is off by u' of itself: it is off by less than u' (140 (1 + k) |sin| + 8) times the sum of magnitudes of its
-// column; for the translation, these are the pivot's, times 140 (1 + k) |sin| alone, and the glide's. With the sum of
+// column; for the translation, these are the pivot's, times 140 (1 + k) |sin| alone, and the glide's. A leg that does
+// not begin at a pose of doubles (turn_leg.hpp) adds u' / 2 of its entries, and of its translation. With the sum of
 // such errors of a point, of its distance in place of its coordinates (a factor of sqrt(3)), and of the distance of
 // both poses, this is less than 512 u' times the sum of magnitudes at rest and of the glide so far, and (1 + k) |sin|
 // times the sum of magnitudes of what turns. About half of it is left over, for a center of the body that is posed so,

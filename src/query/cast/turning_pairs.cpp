@@ -8,24 +8,18 @@
 
 namespace ecods {
 
-void TurningPairs::bind(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                        CastCounts& counts) {
+void TurningPairs::bind(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, CastCounts& counts) {
     a_ = &a;
+    leg_ = &leg;
     b_ = &b;
-    motion_ = &motion;
-    way_size_ = 0;
     counts_ = &counts;
-    const std::array<exact::BodyRef, 2> bodies{{{&a.what->mesh(), &MeshShapeAccess::tree(*a.what).extent, &a.pose},
-                                                {&b.what->mesh(), &MeshShapeAccess::tree(*b.what).extent, &b.pose}}};
+    const exact::MeshExtent &extent_a = MeshShapeAccess::tree(a).extent,
+                            &extent_b = MeshShapeAccess::tree(*b.what).extent;
+    rounded_ = round_leg(leg, extent_a, b.pose);
+    const std::array<exact::BodyRef, 2> bodies{
+        {{&a.mesh(), &extent_a, &rounded_.a}, {&b.what->mesh(), &extent_b, &rounded_.b}}};
     frame_.bind(bodies);
-    angles_ = exact::TurnAngles(a.turn.q.w, vector_of(a.turn.q));
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto axis = static_cast<Eigen::Index>(k);
-        pivot_[k] = a.turn.pivot_from[axis] - a.pose.t[axis];
-        const double way = a.turn.pivot_to[axis] - a.turn.pivot_from[axis];
-        glide_[k] = way - motion[axis];
-        way_size_ += std::abs(way) + std::abs(motion[axis]);
-    }
+    angles_ = exact::TurnAngles(rounded_.q.w, {rounded_.q.x, rounded_.q.y, rounded_.q.z});
     integers_.reset();
     known_.clear();
 }
@@ -35,10 +29,11 @@ std::array<exact::VertexRef, 6> TurningPairs::corners_of(const TrianglePair& tri
 }
 
 exact::TurningPoints TurningPairs::points_of(const TrianglePair& triangles) {
-    const double pivot_error = 2 * two_u * exact::largest(pivot_) + 0x1p-1000;
+    const RoundedLeg& leg = rounded_;
+    const double pivot_error = 2 * two_u * exact::largest(leg.pivot) + 0x1p-1000;
     return {frame_.rounded(corners_of(triangles)),
-            std::max(frame_.delta(0), frame_.delta(1)),
-            {pivot_, glide_, pivot_error, 2 * two_u * way_size_ + 0x1p-1000, &angles_}};
+            std::max(frame_.delta(0) + leg.off, frame_.delta(1)) * (1 + 2 * two_u),
+            {leg.pivot, leg.glide, pivot_error, 2 * two_u * leg.way_size + 0x1p-1000, &angles_}};
 }
 
 std::optional<exact::TimeSpan> TurningPairs::bound(const TrianglePair& triangles, double from, double to,
@@ -51,15 +46,9 @@ std::optional<exact::TimeSpan> TurningPairs::bound(const TrianglePair& triangles
 template <class Function>
 auto TurningPairs::ask_exactly(const TrianglePair& triangles, Function&& ask) {
     ++counts_->exact;
-    if (!integers_) integers_.emplace(a_->turn.q.w, vector_of(a_->turn.q));
-    static const Pose world;
-    const Vec3 origin = Vec3::Zero();
-    exact::PosedPoints<10> points;
-    std::ranges::copy(frame_.posed(corners_of(triangles)), points.begin());
-    points[6] = {&world, &a_->turn.pivot_from};
-    points[7] = {&world, &a_->turn.pivot_to};
-    points[8] = {&world, &origin};
-    points[9] = {&world, motion_};
+    if (!integers_) integers_.emplace(leg_->from, leg_->to);
+    const exact::PosedPoints<11> points =
+        ecods::points_of(*leg_, b_->pose, ecods::corners_of(mesh(0), triangles.a, mesh(1), triangles.b));
     return exact::with_integers(points, [&](const auto& integers) {
         exact::TurningTriangles turning(integers, *integers_);
         return ask(turning);

@@ -5,19 +5,18 @@
 #include <array>
 #include <optional>
 
-#include "ecods/turn.hpp"
 #include "exact/measure/contact/bound_meeting.hpp"
 #include "exact/measure/contact/turning_triangles.hpp"
 #include "exact/point/frame.hpp"
 #include "query/cast/decide_meeting.hpp"
+#include "query/cast/turn_leg.hpp"
 
 namespace ecods {
 
 class TurningPairs {
   public:
-    // Everything that the arguments refer to must outlive this object.
-    // `motion` is the vector by which b is translated in the time from 0 to 1.
-    void bind(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, CastCounts& counts);
+    // Binds a mesh that turns, and another one. All arguments must outlive this object.
+    void bind(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, CastCounts& counts);
 
     // Both do what those of MovingPairs do.
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
@@ -25,28 +24,23 @@ class TurningPairs {
 
   protected:
     const exact::TurnAngles& angles() const noexcept { return angles_; }
-    // The pivot at time 0, and how far it goes beside the other body; the sum of magnitudes of both ways. All
-    // coordinates are relative to the translation of the pose at the start, which is rounded once.
-    const exact::Point& pivot() const noexcept { return pivot_; }
-    const exact::Point& glide() const noexcept { return glide_; }
-    double way_size() const noexcept { return way_size_; }
+    const RoundedLeg& rounded() const noexcept { return rounded_; }
 
   private:
     friend class MeetingDecision<TurningPairs>;
-    const Mesh& mesh(std::size_t side) const noexcept { return side == 0 ? a_->what->mesh() : b_->what->mesh(); }
+    const Mesh& mesh(std::size_t side) const noexcept { return side == 0 ? a_->mesh() : b_->what->mesh(); }
     std::array<exact::VertexRef, 6> corners_of(const TrianglePair& triangles) const;
     exact::TurningPoints points_of(const TrianglePair& triangles);
     template <class Function>
     auto ask_exactly(const TrianglePair& triangles, Function&& ask);
 
-    const Turning<MeshShape>* a_ = nullptr;
+    const MeshShape* a_ = nullptr;
+    const TurnLeg* leg_ = nullptr;
     const Posed<MeshShape>* b_ = nullptr;
-    const Vec3* motion_ = nullptr;
     CastCounts* counts_ = nullptr;
     exact::Frame frame_;
     exact::TurnAngles angles_;
-    exact::Point pivot_{}, glide_{};
-    double way_size_ = 0;
+    RoundedLeg rounded_;
     std::optional<exact::TurnIntegers> integers_;  // made when a pair is first decided exactly
     KnownMeetings known_;
 };

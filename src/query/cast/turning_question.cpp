@@ -11,14 +11,15 @@ Vec3 vec3(const exact::Point& p) {
 
 }  // namespace
 
-void TurnMotion::bind(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, CastCounts& counts) {
-    TurningPairs::bind(a, motion, b, counts);
-    b_pose_ = &b.pose.R;
-    between_ = b.pose.t - a.pose.t;
-    body_.bind(MeshShapeAccess::tree(*a.what), a.pose.R, angles(), vec3(pivot()), vec3(glide()), way_size(), between_);
-    const Vec3 half_b = b.pose.R.cwiseAbs() * MeshShapeAccess::tree(*b.what).extent.half;
+void TurnMotion::bind(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, CastCounts& counts) {
+    TurningPairs::bind(a, leg, b, counts);
+    const RoundedLeg& from = rounded();
+    const MeshTree &tree_a = MeshShapeAccess::tree(a), &tree_b = MeshShapeAccess::tree(*b.what);
+    between_ = from.b.t - from.a.t;
+    body_.bind(tree_a, from.a.R, angles(), vec3(from.pivot), vec3(from.glide), from.way_size, between_);
+    const Vec3 half_b = from.b.R.cwiseAbs() * tree_b.extent.half;
     body_.require_moderate(body_.half.sum() + half_b.sum());
-    bind_bodies({*a.what, *b.what, body_.half, half_b, body_.radius + body_.way_length, body_.size});
+    bind_bodies({a, *b.what, body_.half, half_b, body_.radius + body_.way_length, body_.size});
 }
 
 void TurnMotion::set_piece(double from, double to) {
@@ -35,7 +36,7 @@ void TurnMotion::set_piece(double from, double to) {
                 .is_bounded = body_.is_bounded() && most < known,
                 .may_divide = body_.is_bounded() && least < known,
                 .lengths = {start.length, end.length}});
-    const TurningBody::Place rest{*b_pose_, Vec3::Zero()};
+    const TurningBody::Place rest{rounded().b.R, Vec3::Zero()};
     set_places({body_.place_at(start), body_.place_at(end)}, {rest, rest}, between_);
 }
 

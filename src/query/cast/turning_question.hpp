@@ -16,15 +16,14 @@ namespace ecods {
 // Claim: verify/proofs/turn_pieces.md
 class TurnMotion : public TurningPairs, public TurnPieces {
   public:
-    // Binds the bodies, b translated by `motion`. Everything that the arguments refer to must outlive this object.
-    void bind(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, CastCounts& counts);
+    // Binds the bodies. All arguments must outlive this object.
+    void bind(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, CastCounts& counts);
 
     // Binds the time between two times.
     void set_piece(double from, double to);
 
   private:
     TurningBody body_;
-    const Mat3* b_pose_ = nullptr;
     Vec3 between_ = Vec3::Zero();  // from the translation of a's pose at the start to that of b's
 };
 

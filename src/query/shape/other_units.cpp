@@ -108,6 +108,11 @@ OtherUnits::OtherUnits(const Turning<MeshShape>& a, const Turning<MeshShape>& b)
            {&a.turn.pivot_from, &a.turn.pivot_to, &b.turn.pivot_from, &b.turn.pivot_to});
 }
 
+OtherUnits::OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, std::span<const Vec3> vectors)
+    : OtherUnits(a, b) {
+    if (!std::ranges::all_of(vectors, [&](const Vec3& v) { return can_scale_all(v, exponent_); })) exponent_ = 0;
+}
+
 void OtherUnits::choose(const std::array<Body, 2>& bodies, std::initializer_list<const Vec3*> vectors) {
     int exponent = 2 * exact::exponent_of_zero;
     for (const Body& body : bodies) {

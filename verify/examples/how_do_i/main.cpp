@@ -124,6 +124,19 @@ void turn_past_a_post() {
     }
 }
 
+// The rod goes on past half a turn, in which the post is not, to a whole one: two legs of a way.
+void turn_all_the_way() {
+    const auto rod = box({2, 0.125, 0.125}), post = box({0.125, 0.125, 1});
+    const Vec3 hinge = Vec3::Zero();
+    const std::vector<WayNode> nodes{{{1, 0, 0, 0}, hinge}, {{0, 0, 0, 1}, hinge}, {{-1, 0, 0, 0}, hinge}};
+    const Way<MeshShape> way(rod, {.t = {1, 0, 0}}, nodes);
+    const Posed<MeshShape> other(post, {.t = {-1.25, -1.25, 0}});
+    const auto met = cast(way, other);
+    if (!met) return;
+    fmt::print("turn all the way: meets on leg {} at {:.3f}, at {}\n", met->leg, met->contact.time,
+               text(contact_point(way, other, *met).point));
+}
+
 void world_with_events() {
     World world;
     world.create_body(unit_cube(), Pose{});
@@ -313,6 +326,7 @@ int main() {
     stop_at_a_distance();
     cast_a_cloth();
     turn_past_a_post();
+    turn_all_the_way();
     world_with_events();
     nearest_body();
     inside_a_solid();

@@ -12,6 +12,7 @@
 #include "allocation/new_thread.hpp"
 #include "ecods/cast.hpp"
 #include "ecods/certificate.hpp"
+#include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
 #include "ecods/hit.hpp"
@@ -19,6 +20,7 @@
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "ecods/turn.hpp"
+#include "ecods/way.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/allocation/answer_digest.hpp"
 #include "unit/allocation/pair_scene.hpp"
@@ -55,6 +57,17 @@ std::optional<FirstContact> turn_both(Pair& p) {
     const Turn turn{{0.5, 0.25, 0, 1}, {0, 2, 0}, {0, 2.5, 0.25}}, other{{1, 0.125, -0.25, 0}, {0, 1, 0}, {0, 1, 0}};
     const Turning<MeshShape> first(*p.b, p.pose_b, turn), second(*p.a, p.pose_a, other);
     return cast(first, second, 1, {p.memory, p.witness});
+}
+
+// The same turn and back, so that a contact is on the first leg, and where it is; then the gap at its end.
+std::uint64_t go_past(Pair& p) {
+    const WayNode first{{}, {0, 2, 0}}, last{{0.5, 0.25, 0, 1}, {0, 2.5, 0.25}};
+    const Way<MeshShape> way(*p.b, p.pose_b, {first, last, first});
+    const auto met = cast(way, p.first(), {p.memory, p.witness});
+    const auto gap = settle(way, {p.pose_a.R, p.pose_a.t}, p.first(), {p.memory, p.witness});
+    const std::uint64_t number = met ? digest(std::optional(met->contact)) + met->leg : 0;
+    const bool has_place = met && met->contact.time > 0;
+    return number + digest(gap) + (has_place ? digest(contact_point(way, p.first(), *met, p.memory).point[0]) : 0);
 }
 
 // Triangles with corners of their own, a face of two halves beside one of one part.
@@ -122,6 +135,7 @@ const PairCall questions[] = {
     {"cast between poses", [](Pair& p) { p.answer = digest(move_past(p)); }},
     {"cast of a turning body", [](Pair& p) { p.answer = digest(turn_past(p)); }},
     {"cast of two turning bodies", [](Pair& p) { p.answer = digest(turn_both(p)); }},
+    {"cast along a way, its point, and the gap at its end", [](Pair& p) { p.answer = go_past(p); }},
     {"certify", [](Pair& p) { p.answer = digest(certify(p.first(), p.second(), p.memory)); }},
     {"certify_distance", [](Pair& p) { p.answer = digest(certify_distance(p.first(), p.second(), p.memory)); }},
     {"certify_within", [](Pair& p) { p.answer = digest(certify_within(p.first(), p.second(), 0x1p-6, p.memory)); }},

@@ -27,12 +27,14 @@ Place place_of(const Vec3& v) {
     return {v[0], v[1], v[2]};
 }
 
-// A motion as the header of turns defines it: q is (w, v), the pivot goes from points[6] to points[7], and the other
-// triangle is translated by points[9] - points[8].
+// A motion as the headers of turns and ways define it: the quaternion goes from `from` to (w, v), the pivot from
+// points[6] to points[7], and was at points[10] at the start of the way; and the other triangle is translated by
+// points[9] - points[8].
 struct Motion {
     double w;
     Vec3 v;
-    std::array<Vec3, 10> points;
+    std::array<Vec3, 11> points;
+    Quaternion from;
 
     Place at(std::size_t i, const Rational& s) const {
         const Place p = place_of(points[i]), c = place_of(points[6]), to = place_of(points[7]);
@@ -40,8 +42,10 @@ struct Motion {
             const Place way = place_of(points[9]) - place_of(points[8]);
             return {p[0] + s * way[0], p[1] + s * way[1], p[2] + s * way[2]};
         }
-        const Rational a = 1 + s * (Rational(w) - 1);
-        const Place b = {s * v[0], s * v[1], s * v[2]}, g = p - c, once = cross_of(b, g);
+        const auto part = [&](const Rational& first, double last) -> Rational { return (1 - s) * first + s * last; };
+        const Rational a = part(from.w, w);
+        const Place b = {part(from.x, v[0]), part(from.y, v[1]), part(from.z, v[2])};
+        const Place g = p - place_of(points[10]), once = cross_of(b, g);
         const Rational norm = a * a + dot_of(b, b), beside = 2 * dot_of(b, g), of_g = a * a - dot_of(b, b);
         Place x;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -54,12 +58,18 @@ struct Motion {
 Motion any_motion(scenes::Random& random) {
     const auto number = [&](std::uint32_t most) { return static_cast<double>(random.below(2 * most + 1)) - most; };
     const auto vector = [&] { return Vec3(number(2), number(2), number(2)); };
-    Motion motion{number(3) / 2, vector(), {}};
+    Motion motion{number(3) / 2, vector(), {}, {}};
     if (motion.v.isZero()) motion.w = 1.5;
     if (random.below(8) == 0) motion.v = Vec3(0, 0, 1);
     for (Vec3& point : motion.points) point = vector();
     if (random.below(3) == 0) motion.points[7] = motion.points[6];
     if (random.below(2) == 0) motion.points[9] = motion.points[8];
+    if (random.below(2) == 0) {
+        motion.points[10] = motion.points[6];
+    } else {
+        motion.from = {number(3), number(3), number(3), 0.5};
+        motion.v[2] = std::abs(motion.v[2]);  // so that neither is a negative multiple of the other
+    }
     return motion;
 }
 
@@ -68,9 +78,9 @@ TEST(TurningTriangles, SignsAreThoseOfRationalPlaces) {
     const Pose world;
     for (int run = 0; run < 60; ++run) {
         const Motion motion = any_motion(random);
-        PosedPoints<10> points;
-        for (std::size_t i = 0; i < 10; ++i) points[i] = {&world, &motion.points[i]};
-        const TurnIntegers turn(motion.w, motion.v);
+        PosedPoints<11> points;
+        for (std::size_t i = 0; i < 11; ++i) points[i] = {&world, &motion.points[i]};
+        const TurnIntegers turn(motion.from, {motion.w, motion.v[0], motion.v[1], motion.v[2]});
         with_integers(points, [&](const auto& integers) {
             TurningTriangles triangles(integers, turn);
             for (int time = 0; time <= 8; ++time) {

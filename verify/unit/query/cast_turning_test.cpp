@@ -134,7 +134,7 @@ std::optional<FirstContact> of_all_pairs(const Turning<MeshShape>& a, const Vec3
     std::optional<FirstContact> first;
     for (std::uint32_t i = 0; i < x.triangles().size(); ++i) {
         for (std::uint32_t j = 0; j < y.triangles().size(); ++j) {
-            exact::PosedPoints<10> points;
+            exact::PosedPoints<11> points;
             for (std::size_t k = 0; k < 3; ++k) {
                 points[k] = {&a.pose, &x.vertices()[x.triangles()[i][k]]};
                 points[3 + k] = {&b.pose, &y.vertices()[y.triangles()[j][k]]};
@@ -143,6 +143,7 @@ std::optional<FirstContact> of_all_pairs(const Turning<MeshShape>& a, const Vec3
             points[7] = {&world, &a.turn.pivot_to};
             points[8] = {&world, &origin};
             points[9] = {&world, &motion};
+            points[10] = {&world, &a.turn.pivot_from};
             const auto meeting = exact::with_integers(points, [&](const auto& integers) {
                 exact::TurningTriangles triangles(integers, turn);
                 return exact::first_meeting(triangles);

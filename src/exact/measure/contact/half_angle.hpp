@@ -3,11 +3,13 @@
 // The quaternion at time s is (a, b e) with a = 1 + s (w - 1), b = s |v| and the axis e = v / |v|. Let h = |(a, b)|,
 // cos = a / h and sin = b / h: cosine and sine of half the angle by which the body has turned.
 //
-// Bound. With u' = 2^-52: the length |v| is off by 3 u' of itself, so b by 4.01 u', and e by 4.01 u'. a is off by 3.01
-// u' (1 - s + s |w|). Let k = (1 - s + s |w|) / h, which is at least |cos|. Half the angle, atan2(b, a), is then off by
-//     |cos sin| 4.01 u' + |sin| 3.01 u' k, to first order: below 7.2 u' k |sin| for k u' < 2^-20.
-// h, cos and sin as computed from a and b are off by 3.02 u' of themselves. In all, 2 sin cos is off by less than 29 u'
-// k |sin|, and 2 sin^2 by less than u' |sin| (15 + 29 k): both by less than 32 u' (1 + k) |sin|.
+// Bound. Let u' = 2^-52. w and the components of v may be off by u' / 2 of themselves: those of a leg of a way are
+// rounded once (turn_leg.hpp). So the length |v| is off by 3.5 u' of itself, b by 4.51 u', and e by 5.01 u'. a is off
+// by 3.51 u' (1 - s + s |w|). Let k = (1 - s + s |w|) / h, which is at least |cos|. Half the angle, atan2(b, a), is off
+// by
+//     |cos sin| 4.51 u' + |sin| 3.51 u' k, to first order: below 8.1 u' k |sin| for k u' < 2^-20.
+// h, cos and sin as computed from a and b are off by 3.02 u' of themselves. In all, 2 sin cos and 2 sin^2 are off by
+// less than u' |sin| (15 + 17 k) each, below 32 u' (1 + k) |sin|.
 //
 // Underflow. Unless v is zero, the length |v| is between 2^-500 and 2^500, and |w| below 2^500 (otherwise the angles
 // are not bounded). So squares neither overflow nor make h zero. Losses of 2^-1022 are below 2^-500 of h.
@@ -93,9 +95,9 @@ class TurnAngles {
     //
     // Let z0 and z1 be the quaternions at its ends: w0 = |z0|^2, w1 = z0.z1 and w2 = |z1|^2, here divided by w0. The
     // cosine of half the piece's angle is off by less than off = 32 u' (1 + k0 + k1). Its sine is (a0 b1 - a1 b0) / (h0
-    // h1) = |v| (s1 - s0) / (h0 h1): h is off by 3.01 u' k + 7.1 u' of itself, |v| by 3 u', and four roundings add 4.1
-    // u', so the sine is off by less than `off` of itself, however small it is. Squares that underflow are below
-    // 2^-1000. The quotient of lengths is off by 8 u' (1 + k0 + k1) of itself. With a cosine of at least 1/2, weights
+    // h1) = |v| (s1 - s0) / (h0 h1): h is off by 3.51 u' k + 7.6 u' of itself, |v| by 3.5 u', and four roundings add
+    // 4.1 u', so the sine is off by less than `off` of itself, however small it is. Squares that underflow are below
+    // 2^-1000. The quotient of lengths is off by 15 u' (1 + k0 + k1) of itself. With a cosine of at least 1/2, weights
     // are off by less than 8 off of themselves.
     ECODS_ALWAYS_INLINE TurnPiece piece(const HalfAngle& z0, const HalfAngle& z1) const noexcept {
         const double off = 32 * two_u * (1 + z0.condition + z1.condition);

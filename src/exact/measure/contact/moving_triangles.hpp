@@ -16,15 +16,10 @@ namespace ecods::exact {
 class MovingTriangles final : public RelativePosition {
   public:
     // Takes the corners of both triangles at time 0, and then the same corners at time 1.
-    template <class Kernel>
-    explicit MovingTriangles(const IntegerPoints<Kernel, 12>& points) {
-        for (std::size_t i = 0; i < 6; ++i) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const Integer start(points.at[i][axis]);
-                corners_[i / 3][i % 3][axis] = Polynomial(start, Integer(points.at[i + 6][axis]) - start);
-            }
-        }
-    }
+    // Later points do not matter.
+    template <class Kernel, std::size_t N>
+    requires(N >= 12) explicit MovingTriangles(const IntegerPoints<Kernel, N>& points) { set(points.at); }
+    explicit MovingTriangles(const std::array<std::array<Integer, 3>, 12>& points) { set(points); }
 
     Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const override;
     const Vector& turn(const CornerAndEdge& which) override;
@@ -33,6 +28,16 @@ class MovingTriangles final : public RelativePosition {
 
   private:
     using Triangle = std::array<Vector, 3>;
+
+    template <class Points>
+    void set(const Points& points) {
+        for (std::size_t i = 0; i < 6; ++i) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Integer start(points[i][axis]);
+                corners_[i / 3][i % 3][axis] = Polynomial(start, Integer(points[i + 6][axis]) - start);
+            }
+        }
+    }
 
     std::array<Triangle, 2> corners_;
     std::array<std::optional<Vector>, 2> normals_;

@@ -5,8 +5,8 @@
 //     x = p + s m + 2 sin cos d1 + 2 sin^2 d2,   d1 = e x g,   d2 = e x d1.
 // So only the way of the corner is off because the angle is, which is small for small angles.
 //
-// Bound. Let e_p bound the errors of corners and e_g those of g on each axis, G >= |g|. With a factor of 4.01 u' of e,
-// d1 is off by 6.2 u' G + 1.42 e_g on each axis, and d2 by 15.1 u' G + 2.02 e_g. The factors of d1 and d2 are at most 2
+// Bound. Let e_p bound the errors of corners and e_g those of g on each axis, G >= |g|. With a factor of 5.01 u' of e,
+// d1 is off by 7.2 u' G + 1.42 e_g on each axis, and d2 by 17.3 u' G + 2.02 e_g. The factors of d1 and d2 are at most 2
 // |sin|, and off by 32 u' (1 + k) |sin|. The glide m is off by e_m, and its product by u' s |m| more. Three sums and
 // the products add 4.1 u' of all terms. So x is off by
 //     e_p + s e_m + 7 |sin| e_g + 140 u' (1 + k) |sin| G + 6.1 u' (|p| + s |m|).
@@ -79,7 +79,7 @@ class TurningSide {
             inwards_[i] = cross(angles().axis(), across_[i]);
             radius = std::max(radius, dot(across_[i], across_[i]));
         }
-        // An upper bound: the errors are those of d1, for which sqrt(3) (1.42 e_g + 6.2 u' G) is less than these terms.
+        // An upper bound: the errors are those of d1, for which sqrt(3) (1.42 e_g + 7.2 u' G) is less than these terms.
         radius_ = std::sqrt(radius) * (1 + 8 * two_u) + 4 * arm_error_ + 16 * two_u * arm_ + underflow;
         way_ = std::sqrt(dot(glide_, glide_)) * (1 + 8 * two_u) + 2 * glide_error_;
     }
@@ -104,7 +104,7 @@ class TurningSide {
     // Return upper bounds, on each axis, of how far corners are from their straight motion, for a piece of this length
     // in time: at the time at which that is nearest, and at the same time. A sagitta is across the axis of the turn, so
     // coordinate k of a vector of this length is at most sqrt(1 - e_k^2) of it; both other coordinates of e are off by
-    // 4.01 u' of themselves, or lost if they are below 2^-500. So is a chord. A glide that is lost to underflow is
+    // 5.01 u' of themselves, or lost if they are below 2^-500. So is a chord. A glide that is lost to underflow is
     // below 2^-620.
     ECODS_ALWAYS_INLINE Point margins(const TurnPiece& piece, double length) const noexcept {
         Point result;

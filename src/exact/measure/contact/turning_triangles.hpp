@@ -2,17 +2,21 @@
 // polynomials in time. Beside a body that is translated, the pivot goes back by as much, and that body is at rest.
 //
 // A point p of the first triangle is at c + s m + Q(s) g / N(s) at time s, with g = p - c, the pivot c and its way m.
-// With the quaternion (w, v), let E, W and V be 1, w and v in a unit in which all of them are integers, and U = W - E.
-// The quaternion at time s is (E + s U, s V). Its square of length, which is positive from time 0 to 1, is
-//     N = E^2 + 2 E U s + (U^2 + V.V) s^2,
-// and its rotation times N, for any vector g, is
-//     Q g = N g + s q1(g) + s^2 q2(g),   q1(g) = 2 E (V x g),   q2(g) = 2 (U (V x g) + V x (V x g)).
-// To see it, let a = E + s U and b = s V: Q g = (a^2 - b.b) g + 2 (b.g) b + 2 a b x g, where N = a^2 + b.b and
-// b x (b x g) = (b.g) b - (b.b) g; so Q g = N g + 2 a b x g + 2 b x (b x g).
+// The quaternion goes straight from one to another: in a unit in which all components of both are integers, it is (E +
+// s U, F + s V). Its square of length, which is positive from time 0 to 1, is
+//     N = E^2 + F.F + 2 (E U + F.V) s + (U^2 + V.V) s^2,
+// and its rotation times N, for any vector g, is Q g = N g + q0(g) + s q1(g) + s^2 q2(g), where
+//     q0(g) = 2 (E (F x g) + F x (F x g)),   q2(g) = 2 (U (V x g) + V x (V x g)),
+//     q1(g) = 2 (E (V x g) + U (F x g) + F x (V x g) + V x (F x g)).
+// To see it, let a = E + s U and b = F + s V: Q g = (a^2 - b.b) g + 2 (b.g) b + 2 a b x g, where N = a^2 + b.b and
+// b x (b x g) = (b.g) b - (b.b) g; so Q g = N g + 2 a b x g + 2 b x (b x g). A Turn has E = 1 and F = 0 in this unit,
+// so q0 is zero. A leg of a Way begins at any quaternion: p is then where the corner would be had the body gone from
+// its start to the beginning of the leg without turning, so that g and all widths are those of the start.
 //
 // Rotations keep dot products, and turn cross products: Q a . Q b = N^2 a.b and Q a x Q b = N Q (a x b). So everything
 // that is asked is a polynomial over N, of degree 3 at most:
 //
+// (Where q0 is not zero, it stands beside each q1, without the factor s.)
 //   p - y of a corner p and one of the other triangle, y:  N (p - y + s m) + s q1(g) + s^2 q2(g)
 //   volume of p and the face at rest, with the normal n and a corner y:   the same, times n
 //   volume of y and the face that turns, with the normal n and a corner p, r = y - c:
@@ -37,33 +41,40 @@ namespace ecods::exact {
 
 using LongVector3 = std::array<Integer, 3>;
 
-// The numbers E, U, V and the coefficients of N.
+// The numbers E, U, F, V and the coefficients of N.
 struct TurnIntegers {
-    // The vectors q1(g) and q2(g) of a vector g.
+    // The vectors q0(g), q1(g) and q2(g) of a vector g.
     struct Turned {
-        LongVector3 first, second;
+        LongVector3 zeroth, first, second;
     };
 
+    // From 1 to (w, v), and from one quaternion to another.
     TurnIntegers(double w, const Vec3& v);
+    TurnIntegers(const Quaternion& from, const Quaternion& to);
 
     Turned turned(const LongVector3& g) const;
 
     Integer e, u;
-    LongVector3 v;
+    LongVector3 f, v;
     LongVector3 n;
 };
 
 class TurningTriangles final : public RelativePosition {
   public:
-    // Takes the corners of the triangle that turns, then those of the other one; the places of the pivot at time 0 and
-    // 1; and both ends of the vector by which the other triangle is translated. `turn` must outlive this object.
-    template <class Kernel>
-    TurningTriangles(const IntegerPoints<Kernel, 10>& points, const TurnIntegers& turn) : turn_(turn) {
-        const auto at = [&](std::size_t i) -> LongVector3 {
+    static constexpr std::size_t point_count = 11;
+
+    // Takes the corners of the triangle that turns, at the start of its way, then those of the other one; the places of
+    // the pivot at time 0 and 1; both ends of the vector by which the other triangle is translated; and the place of
+    // the pivot at the start of the way. Later points do not matter. `turn` must outlive this object.
+    template <class Kernel, std::size_t N>
+    requires(N >= point_count) TurningTriangles(const IntegerPoints<Kernel, N>& points, const TurnIntegers& turn)
+        : turn_(turn) {
+        std::array<LongVector3, point_count> all;
+        for (std::size_t i = 0; i < point_count; ++i) {
             const auto& p = points.at[i];
-            return {Integer(p[0]), Integer(p[1]), Integer(p[2])};
-        };
-        set({at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9)});
+            all[i] = {Integer(p[0]), Integer(p[1]), Integer(p[2])};
+        }
+        set(all);
     }
 
     Polynomial difference(std::size_t i, std::size_t j, std::size_t axis) const override;
@@ -73,20 +84,21 @@ class TurningTriangles final : public RelativePosition {
 
   private:
     using Turned = TurnIntegers::Turned;
-    // The coefficients of a vector beside N times start + s way, of s, s^2 and s^3.
-    struct Rest {
-        LongVector3 first, second, third = {};
+    // The coefficients of a number, or a vector, beside N times start + s way, of 1, s, s^2 and s^3.
+    template <class T>
+    struct Beside {
+        T zeroth, first, second, third = {};
     };
+    using Rest = Beside<LongVector3>;
 
-    void set(const std::array<LongVector3, 10>& points);
-    Polynomial over_norm(const Integer& start, const Integer& way, const Integer& first, const Integer& second,
-                         const Integer& third) const;
+    void set(const std::array<LongVector3, point_count>& points);
+    Polynomial over_norm(const Integer& start, const Integer& way, const Beside<Integer>& rest) const;
     Vector over_norm(const LongVector3& start, const LongVector3& way, const Rest& rest) const;
     Vector turn_of_turning(std::size_t corner, std::size_t edge) const;
     Vector turn_of_resting(std::size_t corner, std::size_t edge) const;
 
     const TurnIntegers& turn_;
-    std::array<LongVector3, 3> p_, y_;  // corners at time 0
+    std::array<LongVector3, 3> p_, y_;  // corners at time 0, p_ without the turn up to then
     std::array<LongVector3, 3> r_;      // y - c
     std::array<LongVector3, 3> turning_edge_, resting_edge_;
     LongVector3 m_;

@@ -1,0 +1,44 @@
+// find_meeting_place computes the point that two features of moving triangles share when they first meet, and the
+// normal along which they come together, for any kind of motion.
+//
+// Let s be the time: a root of a polynomial p of degree 3 at most. Coordinates of the point are quotients of
+// polynomials at s, and those of a normal quotients of a polynomial f and the root of a sum of squares, L. Each is
+// rounded by comparing it with binary fractions m: its sign is that of f, and its square is compared by the sign of f^2
+// - m^2 L, whose degree may be up to 6. A polynomial has the same value at s as its remainder by p, so only polynomials
+// of degree 2 at most are evaluated there, exactly (Root::sign_of).
+//
+// Point. Of a vertex it is the vertex. Edges y + t b and a cross at t = T0 / (T0 - T1) on a coordinate, where T0 and T1
+// are the turns of b's ends about a, unless T0 = T1 on it: on some coordinate they differ, since a x b is not zero.
+// Normal. The turns of a corner about the three edges of a face add up to the face's normal, and T1 - T0 is a x b.
+// Which of both directions it has is decided by the sign of the four corners' volume just before s, by its first
+// derivative that is not zero at s.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "ecods/pose.hpp"
+#include "exact/measure/contact/relative_position.hpp"
+#include "exact/measure/distance/feature_pair.hpp"
+
+namespace ecods::exact {
+
+// The corners of the second triangle, each coordinate of degree 1 at most, in units of 2^unit, and the factor of the
+// polynomials of a RelativePosition, of degree 2 at most.
+struct SecondCorners {
+    std::array<RelativePosition::Vector, 3> at;
+    Polynomial factor;
+    int unit = 0;
+};
+
+struct MeetingPlace {
+    Vec3 point;                  // each coordinate rounded once
+    std::optional<Vec3> normal;  // from the first to the second triangle; only for a vertex and a face, or two edges
+};
+
+// Returns nullopt if these features do not share a point for the first time at a time that rounds to `time`, or if they
+// share one throughout.
+std::optional<MeetingPlace> find_meeting_place(RelativePosition& triangles, const SecondCorners& second,
+                                               const FeaturePair& features, double time);
+
+}  // namespace ecods::exact
