@@ -116,7 +116,8 @@ enum class Argument : std::uint8_t {
     count,    // of a builder: "sides", "subdivisions", "columns" or "rows" are too few or too many, or make no grid
     polygon,  // of a builder: it is not convex at a point: index
     turn,  // "q.w", "q.x", "pivot_from(0)", "pivot_to(2)", "axis(0)", "pivot(0)" or "angle" is NaN or infinite; "q" is
-           // zero or a whole turn; "axis" is zero; "angle" is a whole turn or more, or negative where it must not be
+           // zero or a whole turn; "axis" is zero; "angle" is a whole turn or more, or negative where it must not be;
+           // of a way the node is at `index`, whose "pivot(0)" or "q" may be bad, or "nodes" are too few
 };
 
 // Thrown if a call cannot use a number or pointer that it was given.

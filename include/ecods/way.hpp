@@ -4,18 +4,17 @@
 //     const Way way(link, pose, {{{1, 0, 0, 0}, hinge}, {{0, 0, 0, 1}, hinge}, {{-1, 0, 0, 0}, hinge}});
 //     if (auto met = cast(way, {wall, Pose()})) met->leg, met->contact.time
 //
-// Each node has a quaternion and a place of the pivot. The way from one node to the next is a leg, in a time s from 0
-// to
-// 1. With z0 and z1 the quaternions of its nodes, c0 and c1 the places of the pivot there, and c the place of the pivot
-// at the first node, the point that is at p = R v + t of the way's pose at the beginning is at
+// Each node has a quaternion and a place of the pivot. The way from one node to the next is a leg, which takes a time s
+// from 0 to 1. With z0 and z1 the quaternions of its nodes, c0 and c1 the places of the pivot there, and c the place of
+// the pivot at the first node, the point that is at p at the beginning is at
 //
-//     x = c0 + s (c1 - c0) + Rot((1 - s) z0 + s z1) (p - c),
+//     x = c0 + s (c1 - c0) + R (p - c),     R the rotation of the quaternion (1 - s) z0 + s z1,
 //
-// as real numbers, where Rot(z) is the rotation of a quaternion of any length (turn.hpp has its formula). So
-// quaternions are those of the turn since the beginning, not since the last node; the body is exactly rigid all the
-// way; and one leg begins exactly where the one before it ends. Nothing is lost from node to node: neither errors nor
-// costs grow with their number. The first node's quaternion is a positive number w, usually 1, so that the body begins
-// at its pose. A way of two nodes, {1, from} and {q, to}, is the Turn {q, from, to}.
+// as real numbers; a quaternion of any length is a rotation (turn.hpp has the formula). So quaternions are those of the
+// turn since the beginning, not since the last node; the body is exactly rigid all the way; and one leg begins exactly
+// where the one before it ends. Neither errors nor the cost of a leg grow with the number of nodes. The first node's
+// quaternion is a positive number w, usually 1, so that the body begins at its pose. A way of two nodes, {1, from} and
+// {q, to}, is the Turn {q, from, to}.
 //
 // A leg turns the short way about one axis, by less than half a turn if z0 . z1 > 0, and up to a whole one otherwise: z
 // and -z are the same place, but another way there. So a whole turn takes two legs, as in the example above; more of

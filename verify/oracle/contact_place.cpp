@@ -33,20 +33,20 @@ long exponent_of(const mpq_class& x) {
 
 // The short number that x is nearly, or x.
 mpq_class snapped(const mpq_class& x, const mpq_class& size) {
-    if (abs(x) <= size * power_of_two(-400)) return 0;
+    if (abs(x) <= size * power_of_two(-2400)) return 0;
     const mpq_class unit = power_of_two(exponent_of(x) - 120);
     const mpq_class steps = x / unit + mpq_class(1, 2);
     mpz_class whole;
     mpz_fdiv_q(whole.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
     const mpq_class near = whole * unit;
-    return abs(x - near) <= abs(x) * power_of_two(-400) ? near : x;
+    return abs(x - near) <= abs(x) * power_of_two(-1500) ? near : x;
 }
 
 // A rational number just below the root, or the root.
 mpq_class just_below(const Root& root) {
     if (root.is_exact()) return root.low();
     mpq_class low = 0, high = 1;
-    while (high - low > low * power_of_two(-700)) {
+    while (high - low > low * power_of_two(-5000)) {
         const mpq_class middle = (low + high) / 2;
         (root.compare(middle) >= 0 ? low : high) = middle;
     }
@@ -108,7 +108,7 @@ mpq_class largest(const Fractions& v) {
 PlaceOfContact place_at(const Root& root, const std::function<Triangles(const mpq_class&)>& triangles_at,
                         const NamedFeature& of_a, const NamedFeature& of_b) {
     const mpq_class time = just_below(root);
-    const Triangles at = triangles_at(time), before = triangles_at(time * (1 - power_of_two(-300)));
+    const Triangles at = triangles_at(time), before = triangles_at(time * (1 - power_of_two(-2000)));
     const AtTime features{at, of_a, of_b}, features_before{before, of_a, of_b};
     mpq_class size = 0;
     for (const auto& corners : at) {

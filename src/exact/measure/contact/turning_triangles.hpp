@@ -5,7 +5,8 @@
 // The quaternion goes straight from one to another: in a unit in which all components of both are integers, it is (E +
 // s U, F + s V). Its square of length, which is positive from time 0 to 1, is
 //     N = E^2 + F.F + 2 (E U + F.V) s + (U^2 + V.V) s^2,
-// and its rotation times N, for any vector g, is Q g = N g + q0(g) + s q1(g) + s^2 q2(g), where
+// and its rotation times N, for any vector g, is
+//     Q g = N g + q0(g) + s q1(g) + s^2 q2(g),   where
 //     q0(g) = 2 (E (F x g) + F x (F x g)),   q2(g) = 2 (U (V x g) + V x (V x g)),
 //     q1(g) = 2 (E (V x g) + U (F x g) + F x (V x g) + V x (F x g)).
 // To see it, let a = E + s U and b = F + s V: Q g = (a^2 - b.b) g + 2 (b.g) b + 2 a b x g, where N = a^2 + b.b and
@@ -14,9 +15,9 @@
 // its start to the beginning of the leg without turning, so that g and all widths are those of the start.
 //
 // Rotations keep dot products, and turn cross products: Q a . Q b = N^2 a.b and Q a x Q b = N Q (a x b). So everything
-// that is asked is a polynomial over N, of degree 3 at most:
+// that is asked is a polynomial over N, of degree 3 at most. (Where q0 is not zero, it stands beside each q1, without
+// the factor s.)
 //
-// (Where q0 is not zero, it stands beside each q1, without the factor s.)
 //   p - y of a corner p and one of the other triangle, y:  N (p - y + s m) + s q1(g) + s^2 q2(g)
 //   volume of p and the face at rest, with the normal n and a corner y:   the same, times n
 //   volume of y and the face that turns, with the normal n and a corner p, r = y - c:
