@@ -27,8 +27,8 @@
 // about 1e-16 of the body's size away from any pose in doubles; end_gap() bounds that distance. Who goes on from such a
 // pose asks settle() whether the gap between is free. A Way (way.hpp) of several turns has no gaps.
 //
-// Not here: the first time at which a turning body is within a distance of another one has no call, since that is a
-// root of degree 6, and the exact decision knows roots of degree 3; ask with a rounded() body at rest for translations.
+// The first time at which a turning body, or one that moves from pose to pose, is within a distance of another one has
+// no call: it is a root of a polynomial of degree 6, and first contacts are roots of lower degrees.
 //
 // Example: verify/examples/how_do_i, turn_past_a_post().
 #pragma once

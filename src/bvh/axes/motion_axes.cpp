@@ -14,9 +14,13 @@ void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_fr
     set_unbounded();
 }
 
-void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to, double margin) {
+void MotionAxes::bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to,
+                      const MotionMargin& margin) {
     if (a.is_bounded() && b.is_bounded()) {
-        return call_widest<ECODS_OF_EACH_SET(bind_near_motion_sets)>(sets_, a, b, d_from, d_to, margin);
+        MotionMargin rounded = margin;
+        rounded.everywhere += 8 * two_u * margin.along.cwiseAbs().sum();
+        for (const MotionMargin::Across& across : margin.across) rounded.everywhere += 16 * two_u * across.most;
+        return call_widest<ECODS_OF_EACH_SET(bind_near_motion_sets)>(sets_, a, b, d_from, d_to, rounded);
     }
     set_unbounded();
 }

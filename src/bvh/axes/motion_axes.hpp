@@ -7,15 +7,18 @@
 // positive at only one of the times, the boxes are apart from that time to the chord's zero. Several axes, each in both
 // directions, may leave no time at which the boxes can meet. Half-way between its poses a body is the mean of both, on
 // the same axes. So a chord is loose only by the angle by which a box turns times the size of the box, which is little
-// for small boxes. All of this also holds for a mesh that deforms, whose corners move linearly: a node then has a box at
-// the start and another one at the end (NodeAtEnds).
+// for small boxes. All of this also holds for a mesh that deforms, whose corners move linearly: a node then has a box
+// at the start and another one at the end (NodeAtEnds).
 //
 // The sets of axes and their bounds are as in separating_axes.hpp. Each set exists twice, with the same axes: for the
 // poses at the start and at the end. Coordinates are relative to the first body's translation, which moves linearly,
 // too.
 //
-// A margin is a distance in the world. On the axis n it is |n| times as large, with |n| as computed: off by 2.5 u', and
-// by three roundings more. 1 + 2^-22 covers these, and the last conversion to a float.
+// A body may be near such a motion only. The distance in any direction is a margin in the world: on the axis n it is
+// |n| times as large, with |n| as computed, which is off by 2.5 u' of itself. That across a unit vector e is |n x e|
+// times as large: a coordinate of the product is off by 2.1 u' |n|, and e by 5.01 u' of itself, so the length by less
+// than 13 u' |n|. That along a vector is |n.m|, which is off by 3.1 u' |n| |m|. 16 u' |n| and 8 u' |n| |m| are added.
+// 1 + 2^-22 covers the other roundings, and the last conversion to a float.
 // Claim: verify/proofs/motion_chords.md
 // Claim: verify/proofs/turn_pieces.md
 #pragma once
@@ -48,13 +51,27 @@ struct MotionSet {
     AxisSet start, end;
 };
 
+// Bounds how far points of two bodies are from straight motions, in all: by at most `everywhere` in any direction, by
+// `most` across each of two unit vectors, and by a part of `along`, from -1 to 1.
+struct MotionMargin {
+    struct Across {
+        double most = 0;
+        Vec3 axis = Vec3::Zero();
+    };
+
+    double everywhere = 0;
+    std::array<Across, 2> across{};
+    Vec3 along = Vec3::Zero();
+};
+
 class MotionAxes {
   public:
     // Binds two moving trees. d_from and d_to are fl(t_b - t_a) at the start and at the end.
     void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to);
-    // Binds two trees whose bodies are at all times within `margin` of such a motion. The margin enlarges the boxes of
+    // Binds two trees whose bodies are at all times within a margin of such a motion. The margin enlarges the boxes of
     // b.
-    void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to, double margin);
+    void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to,
+              const MotionMargin& margin);
 
     const std::array<MotionSet, 2>& sets() const noexcept { return sets_; }
 

@@ -23,12 +23,26 @@ ECODS_ALWAYS_INLINE std::array<Matrix4, 2> bind_sets(std::array<MotionSet, 2>& s
     return {normals_a, normals_b};
 }
 
-// Adds a distance in the world to the reach of b's boxes on three axes.
-ECODS_ALWAYS_INLINE void widen(AxisSet& set, const Matrix4& normals, double margin) noexcept {
-    const Double4 square = (normals.column[0] * normals.column[0] + normals.column[1] * normals.column[1]) +
-                           normals.column[2] * normals.column[2];
+// Returns the squares of |n x e| for three axes n.
+ECODS_ALWAYS_INLINE Double4 squares_across(const Matrix4& normals, const Vec3& axis) noexcept {
+    const Double4 &x = normals.column[0], &y = normals.column[1], &z = normals.column[2];
+    const double* const e = axis.data();
+    const Double4 over_x = y * e[2] - z * e[1], over_y = z * e[0] - x * e[2], over_z = x * e[1] - y * e[0];
+    return (over_x * over_x + over_y * over_y) + over_z * over_z;
+}
+
+// Adds a distance in the world to the reach of b's boxes on three axes. Rounding of products is within
+// margin.everywhere.
+ECODS_ALWAYS_INLINE void widen(AxisSet& set, const Matrix4& normals, const MotionMargin& margin) noexcept {
+    const Double4 &x = normals.column[0], &y = normals.column[1], &z = normals.column[2];
+    const double* const m = margin.along.data();
+    const Double4 square = (x * x + y * y) + z * z, along = (x * m[0] + y * m[1]) + z * m[2];
+    const MotionMargin::Across &first = margin.across[0], &second = margin.across[1];
+    const Double4 of_first = squares_across(normals, first.axis), of_second = squares_across(normals, second.axis);
     for (std::size_t k = 0; k < 3; ++k) {
-        const double added = margin * std::sqrt(square[static_cast<int>(k)]);
+        const auto i = static_cast<int>(k);
+        const double across = first.most * std::sqrt(of_first[i]) + second.most * std::sqrt(of_second[i]);
+        const double added = margin.everywhere * std::sqrt(square[i]) + (across + std::abs(along[i]));
         set.b.margin[k] = static_cast<float>((static_cast<double>(set.b.margin[k]) + added) * (1 + 0x1p-22));
     }
 }
@@ -40,7 +54,7 @@ ECODS_ALWAYS_INLINE void widen(AxisSet& set, const Matrix4& normals, double marg
 
 [[gnu::noinline]] inline void bind_near_motion_sets(std::array<MotionSet, 2>& sets, const MovingTree& a,
                                                     const MovingTree& b, const Vec3& d_from, const Vec3& d_to,
-                                                    double margin) noexcept {
+                                                    const MotionMargin& margin) noexcept {
     const std::array<Matrix4, 2> normals = bind_sets(sets, a, b, d_from, d_to);
     for (std::size_t i = 0; i < 2; ++i) {
         widen(sets[i].start, normals[i], margin);

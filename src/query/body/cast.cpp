@@ -114,7 +114,8 @@ std::optional<FirstContact> settle_on(const Posed<MeshShape>& a, const TurnLeg& 
     const BodyPairAsked bodies(a, b);
     const Posed<MeshShape>& of_b = bodies.b.boundary();
     auto contact = settle_from(*bodies.a.boundary().what, leg, to, of_b, asking.memory(), asking.witness());
-    if (contact) bodies.rename(*contact);
+    if (!contact) return std::nullopt;
+    bodies.rename(*contact);
     return contact;
 }
 

@@ -28,15 +28,17 @@ void BothTurnMotion::bind(const Turning<MeshShape>& a, const Turning<MeshShape>&
 void BothTurnMotion::set_piece(double from, double to) {
     set_times(from, to);
     constexpr double known = exact::TurnAngles::condition_max;
-    Bounds bounds{.near = 0, .rounding = 0, .pace = 1, .is_bounded = true, .may_divide = true, .lengths = {1, 1}};
+    Bounds bounds{
+        .near = 0, .parts = {}, .rounding = 0, .pace = 1, .is_bounded = true, .may_divide = true, .lengths = {1, 1}};
     std::array<Places, 2> places;
     double most = 0;
     for (std::size_t side = 0; side < 2; ++side) {
         const TurningBody& body = bodies_[side];
         const exact::HalfAngle start = angles(side).at(from_), end = angles(side).at(to_);
-        const double near = body.radius * angles(side).piece(start, end).lag();
+        const double lag = angles(side).piece(start, end).lag(), near = body.radius * lag;
         const auto [least_condition, most_condition] = std::minmax(start.condition, end.condition);
         bounds.near += near;
+        bounds.parts.across[side] = body.across(lag);
         bounds.rounding += body.rounding(start, end);
         bounds.is_bounded = bounds.is_bounded && body.is_bounded() && most_condition < known;
         bounds.may_divide = bounds.may_divide && body.is_bounded() && least_condition < known;

@@ -12,7 +12,7 @@ namespace ecods {
 // Two turns, for MeetingQuestion.
 //
 // In a piece every point of a body is within a margin of a straight motion, at the same time of the piece
-// (both_turning_points.hpp). The sum of both margins is that of the bodies.
+// (both_turning_points.hpp). The sum of both margins is that of the bodies, each across an axis of its own.
 // Claim: verify/proofs/turn_pieces.md
 class BothTurnMotion : public BothTurningPairs, public TurnPieces {
   public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/arithmetic.hpp"
+#include "exact/measure/contact/turning_triangles.hpp"
 #include "exact/point/posed_point.hpp"
 #include "query/cast/exact_quaternion.hpp"
 #include "query/cast/moving_question.hpp"
@@ -95,7 +96,7 @@ void SettlingMotion::bind(const MeshShape& a, const TurnLeg& leg, const Pose& to
                                                 {&b.what->mesh(), &tree_b.extent, &end_.b},
                                                 {&a.mesh(), &tree_a.extent, &rounded_to_}}};
     frame_.bind(bodies);
-    const double margin = 2 * (end_.off + to_off_) * (1 + 16 * two_u);
+    const MotionMargin margin{.everywhere = 2 * (end_.off + to_off_) * (1 + 16 * two_u)};
     axes_.bind({trees_[0], end_.a.R, rounded_to_.R}, {trees_[1], b.pose.R, b.pose.R}, -end_.a.t, -rounded_to_.t,
                margin);
     known_.clear();

@@ -46,7 +46,15 @@ void TurnPieces::set_times(double from, double to) noexcept {
 
 void TurnPieces::set_bounds(const Bounds& bounds) noexcept {
     near_ = bounds.near;
-    margin_ = bounds.is_bounded ? (near_ + 512 * two_u * bounds.rounding) * (1 + 16 * two_u) + 0x1p-600 : infinity;
+    const double rounding = 512 * two_u * bounds.rounding;
+    margin_ = bounds.is_bounded ? (near_ + rounding) * (1 + 16 * two_u) + 0x1p-600 : infinity;
+    // By parts only if all are far from infinity, whose product with zero is no bound.
+    if (margin_ < 0x1p900) {
+        parts_ = bounds.parts;
+        parts_.everywhere += rounding * (1 + 16 * two_u) + 0x1p-600;
+    } else {
+        parts_ = {.everywhere = margin_};
+    }
     times_.pace = bounds.pace;
     lengths_ = bounds.lengths;
     middle_ = bounds.may_divide && !(near_ <= narrow_) ? find_middle() : std::nullopt;
@@ -59,7 +67,7 @@ void TurnPieces::set_places(const Places& a, const Places& b, const Vec3& betwee
         gaps_[i] = (a[i].R * centers_[0] + a[i].t) - (b[i].R * centers_[1] + (between + b[i].t));
     }
     axes_.bind({trees_[0], a[0].R, a[1].R}, {trees_[1], b[0].R, b[1].R}, (between + b[0].t) - a[0].t,
-               (between + b[1].t) - a[1].t, margin_);
+               (between + b[1].t) - a[1].t, parts_);
 }
 
 std::optional<float> TurnPieces::first_of_boxes() {

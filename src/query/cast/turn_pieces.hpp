@@ -15,7 +15,8 @@ namespace ecods {
 
 // In a piece all points of the bodies are within a margin of straight motions, which the axes of motion_axes.hpp bound.
 // The margin is that of the points that are farthest from an axis of a turn, and falls as the square of the piece's
-// angle. A motion derives from this class, and binds its bodies and its pieces.
+// angle. An arc leaves its chord across the axis of its turn only, and a glide is off along itself. A motion derives
+// from this class, and binds its bodies and its pieces.
 // Claim: verify/proofs/turn_pieces.md
 class TurnPieces {
   public:
@@ -55,6 +56,7 @@ class TurnPieces {
     // Bounds of a piece.
     struct Bounds {
         double near;                    // distance of the bodies from straight motions
+        MotionMargin parts;             // the same by parts
         double rounding;                // places are off by at most 512 u' times this
         double pace;                    // of the straight motions: TurnPiece has it
         bool is_bounded;                // true if places are bounded, and the rotations known at both ends
@@ -81,6 +83,7 @@ class TurnPieces {
     std::array<double, 2> lengths_{1, 1};  // Bounds has them
     double near_ = 0;                      // upper bound of the distance from the straight motions, without rounding
     double margin_ = 0;
+    MotionMargin parts_;  // no more than margin_ in any direction
     std::optional<double> middle_;
     MotionAxes axes_;
     std::uint64_t step_count_ = 0, step_max_ = 0, usual_step_max_ = 0;

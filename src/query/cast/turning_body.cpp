@@ -45,6 +45,10 @@ void TurningBody::require_moderate(double sizes) const {
     }
 }
 
+MotionMargin::Across TurningBody::across(double sagitta) const {
+    return {radius * sagitta * (1 + 16 * two_u), axis_of(*angles)};
+}
+
 TurningBody::Place TurningBody::place_at(const exact::HalfAngle& at) const {
     const Vec3 axis = axis_of(*angles);
     const double turned = 2 * at.sin * at.cos, inward = 2 * at.sin * at.sin;

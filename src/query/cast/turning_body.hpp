@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bvh/axes/motion_axes.hpp"
 #include "ecods/pose.hpp"
 #include "exact/measure/contact/half_angle.hpp"
 #include "query/shape/mesh_tree.hpp"
@@ -46,6 +47,8 @@ struct TurningBody {
     };
     Place place_at(const exact::HalfAngle& half) const;
 
+    // Returns the margin of points that leave their chords by `sagitta` times their distance from the axis.
+    MotionMargin::Across across(double sagitta) const;
     // True if places are bounded at times at which the rotation is known.
     bool is_bounded() const noexcept { return angles->is_bounded() && size + arm + way_size < 0x1p1000; }
     // Returns what 512 u' is multiplied with to bound the places between two times.

@@ -30,7 +30,11 @@ void TurnMotion::set_piece(double from, double to) {
     // The rotation is known nowhere between two ends at which it is not known: h is convex, so the times at which
     // condition_max h is at most 1 - s + s |w| are an interval.
     constexpr double known = exact::TurnAngles::condition_max;
+    const double share = (to_ - from_) * piece.shift * (1 + 4 * two_u);
     set_bounds({.near = body_.radius * piece.sagitta + body_.way_length * (to_ - from_) * piece.shift,
+                .parts = {.everywhere = 4 * two_u * body_.way_size * share,
+                          .across = {body_.across(piece.sagitta)},
+                          .along = share * body_.glide},
                 .rounding = body_.rounding(start, end),
                 .pace = piece.pace,
                 .is_bounded = body_.is_bounded() && most < known,
