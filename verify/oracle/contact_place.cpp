@@ -31,22 +31,28 @@ long exponent_of(const mpq_class& x) {
            static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2)) + 1;
 }
 
+// How near times and numbers are taken, in bits: more where corners differ in size by hundreds of bits.
+struct Precision {
+    long time, zero, number, before;
+};
+constexpr Precision usual{1000, 600, 400, 500}, finest{5000, 2400, 1500, 2000};
+
 // The short number that x is nearly, or x.
-mpq_class snapped(const mpq_class& x, const mpq_class& size) {
-    if (abs(x) <= size * power_of_two(-2400)) return 0;
+mpq_class snapped(const mpq_class& x, const mpq_class& size, const Precision& bits) {
+    if (abs(x) <= size * power_of_two(-bits.zero)) return 0;
     const mpq_class unit = power_of_two(exponent_of(x) - 120);
     const mpq_class steps = x / unit + mpq_class(1, 2);
     mpz_class whole;
     mpz_fdiv_q(whole.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
     const mpq_class near = whole * unit;
-    return abs(x - near) <= abs(x) * power_of_two(-1500) ? near : x;
+    return abs(x - near) <= abs(x) * power_of_two(-bits.number) ? near : x;
 }
 
 // A rational number just below the root, or the root.
-mpq_class just_below(const Root& root) {
+mpq_class just_below(const Root& root, const Precision& bits) {
     if (root.is_exact()) return root.low();
     mpq_class low = 0, high = 1;
-    while (high - low > low * power_of_two(-5000)) {
+    while (high - low > low * power_of_two(-bits.time)) {
         const mpq_class middle = (low + high) / 2;
         (root.compare(middle) >= 0 ? low : high) = middle;
     }
@@ -105,10 +111,28 @@ mpq_class largest(const Fractions& v) {
     return std::max({mpq_class(abs(v[0])), mpq_class(abs(v[1])), mpq_class(abs(v[2]))});
 }
 
+// The usual one, if no corner at either end of time is far smaller or larger than another one.
+Precision precision_for(const std::function<Triangles(const mpq_class&)>& triangles_at) {
+    mpq_class least = 0, most = 0;
+    for (const int time : {0, 1}) {
+        for (const auto& corners : triangles_at(time)) {
+            for (const Fractions& corner : corners) {
+                for (const mpq_class& x : corner) {
+                    const mpq_class size = abs(x);
+                    if (sgn(size) != 0 && (sgn(least) == 0 || size < least)) least = size;
+                    most = std::max(most, size);
+                }
+            }
+        }
+    }
+    return least >= most * power_of_two(-150) ? usual : finest;
+}
+
 PlaceOfContact place_at(const Root& root, const std::function<Triangles(const mpq_class&)>& triangles_at,
                         const NamedFeature& of_a, const NamedFeature& of_b) {
-    const mpq_class time = just_below(root);
-    const Triangles at = triangles_at(time), before = triangles_at(time * (1 - power_of_two(-2000)));
+    const Precision bits = precision_for(triangles_at);
+    const mpq_class time = just_below(root, bits);
+    const Triangles at = triangles_at(time), before = triangles_at(time * (1 - power_of_two(-bits.before)));
     const AtTime features{at, of_a, of_b}, features_before{before, of_a, of_b};
     mpq_class size = 0;
     for (const auto& corners : at) {
@@ -117,12 +141,12 @@ PlaceOfContact place_at(const Root& root, const std::function<Triangles(const mp
     PlaceOfContact place;
     const Fractions point = features.point();
     for (std::size_t k = 0; k < 3; ++k) {
-        place.point[static_cast<Eigen::Index>(k)] = nearest(FractionAndRoot{snapped(point[k], size), 0, 0});
+        place.point[static_cast<Eigen::Index>(k)] = nearest(FractionAndRoot{snapped(point[k], size, bits), 0, 0});
     }
     if (!features.have_normal()) return place;
     Fractions n = features.normal();
     const mpq_class longest = largest(n);
-    for (mpq_class& x : n) x = snapped(mpq_class(x / longest), 1);
+    for (mpq_class& x : n) x = snapped(mpq_class(x / longest), 1, bits);
     const int sign =
         sgn(dot(features_before.normal(), Fractions(features_before.corner(1, 0) - features_before.corner(0, 0))));
     const mpq_class square = dot(n, n);
