@@ -23,7 +23,7 @@ Vector linear(const LongVector3& start, const LongVector3& way) {
     return {Quintic(start[0], way[0]), Quintic(start[1], way[1]), Quintic(start[2], way[2])};
 }
 
-// Returns q0(g) + s q1(g) + s^2 q2(g).
+// Returns q0 g + s q1(g) + s^2 q2(g).
 Vector change_of(const LongVector3& g, const TurnIntegers& turn) {
     const TurnIntegers::Turned turned = turn.turned(g);
     Vector result;

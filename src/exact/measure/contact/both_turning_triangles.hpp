@@ -4,7 +4,7 @@
 // Names are those of turning_triangles.hpp: at time s a point p of a triangle is at L + Q g / N, with g = p - c, the
 // pivot L = c + s m and the norm N, which is positive from time 0 to 1. Rotations keep dot products and turn cross
 // products, so homogeneous coordinates of corners, lines and planes are polynomials of degree 3 at most, over N alone:
-//     a corner p:                      A = N L + Q g = N (p + s m) + q0(g) + s q1(g) + s^2 q2(g)
+//     a corner p:                      A = N L + Q g = N (p + s m) + q0 g + s q1(g) + s^2 q2(g)
 //     an edge e from p to p + e:       E = Q e,  and its moment  M = E x (A / N) = E x L + Q (e x g)
 //     the plane of the normal n at p:  F = Q n,  and its offset  D = F . (A / N) = F . L + N n.g
 // (Pluecker coordinates of a line are (E, M).) All of them are times 1 / N. With one triangle's numbers and those of

@@ -6,8 +6,8 @@
 // s U, F + s V). Its square of length, which is positive from time 0 to 1, is
 //     N = E^2 + F.F + 2 (E U + F.V) s + (U^2 + V.V) s^2,
 // and its rotation times N, for any vector g, is
-//     Q g = N g + q0(g) + s q1(g) + s^2 q2(g),   where
-//     q0(g) = 2 (E (F x g) + F x (F x g)),   q2(g) = 2 (U (V x g) + V x (V x g)),
+//     Q g = N g + q0 g + s q1(g) + s^2 q2(g),   where
+//     q0 g = 2 (E (F x g) + F x (F x g)),   q2(g) = 2 (U (V x g) + V x (V x g)),
 //     q1(g) = 2 (E (V x g) + U (F x g) + F x (V x g) + V x (F x g)).
 // To see it, let a = E + s U and b = F + s V: Q g = (a^2 - b.b) g + 2 (b.g) b + 2 a b x g, where N = a^2 + b.b and
 // b x (b x g) = (b.g) b - (b.b) g; so Q g = N g + 2 a b x g + 2 b x (b x g). A Turn has E = 1 and F = 0 in this unit,
@@ -44,7 +44,7 @@ using LongVector3 = std::array<Integer, 3>;
 
 // The numbers E, U, F, V and the coefficients of N.
 struct TurnIntegers {
-    // The vectors q0(g), q1(g) and q2(g) of a vector g.
+    // The vectors q0 g, q1(g) and q2(g) of a vector g.
     struct Turned {
         LongVector3 zeroth, first, second;
     };
