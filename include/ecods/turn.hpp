@@ -108,8 +108,8 @@ namespace ecods {
 // before going on from `to`: then the body has met nothing on the turn nor in the gap. The time is from 0 to 1 on that
 // way, and exact, as in cast.hpp. Triangles alone are asked: that no part of a is inside of b at the end of the turn is
 // what the cast has said. If triangles share a point there, the time is 0. Needed only if the bodies may be nearer than
-// end_gap() at the end; where they are not, it costs about as much as intersects(). Neither uses nor keeps scratch
-// memory of `ask`. Throws InvalidArgument.
+// end_gap() at the end; where they are not, it costs about as much as intersects(). Makes new scratch memory each time.
+// Throws InvalidArgument.
 [[nodiscard]] ECODS_API std::optional<FirstContact> settle(const Turning<MeshShape>& a, const Pose& to,
                                                            const Posed<MeshShape>& b, const Ask& ask = {});
 

@@ -77,6 +77,19 @@ TEST(Way, AboutTwoAxes) {
     EXPECT_EQ(pose_at(Pose(), nodes, 0, 0.25), pose_at(Pose(), Turn{quarter, origin, origin}, 0.25));
 }
 
+// A later leg turns about where the pivot is then.
+TEST(Way, AfterAGlide) {
+    const Vec3 up(0, 0, 7);
+    const std::vector<WayNode> nodes{{{2, 0, 0, 0}, origin}, {{1, 0, 0, 0}, up}, {{0, 0, 0, 1}, up}};
+    std::vector<Vec3> wall = first_wall;
+    for (Vec3& v : wall) v += up;
+    const auto met = cast_along(spike, nodes, wall);
+    ASSERT_TRUE(met);
+    EXPECT_EQ(met->leg, 1U);
+    EXPECT_EQ(met->contact.time, 1 / 3.0);
+    EXPECT_EQ(met->contact.kind, ClosestKind::vertex_face);
+}
+
 TEST(Way, Refusals) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refused = [](std::vector<WayNode> nodes, const std::string& part, ListIndex index) {
