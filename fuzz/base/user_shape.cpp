@@ -78,8 +78,8 @@ class UserTest final : public TwoBodyTest {
         require_order({*a.what, a.from}, {*b.what, b.from});
         return ecods::cast(moving(a), moving(b), max_time, ask);
     }
-    std::optional<FirstContact> cast_any_motion(const Posed<Shape>& a, const Motion& motion_of_a,
-                                                const Posed<Shape>& b, const Motion& motion_of_b, double max_time,
+    std::optional<FirstContact> cast_any_motion(const Posed<Shape>& a, const Motion& motion_of_a, const Posed<Shape>& b,
+                                                const Motion& motion_of_b, double max_time,
                                                 const Ask& ask) const override {
         require_order(a, b);
         return ecods::cast(posed(a), motion_of_a, posed(b), motion_of_b, max_time, ask);

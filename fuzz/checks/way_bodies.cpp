@@ -44,7 +44,7 @@ Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Ra
     return point.allFinite() ? point : Vec3(0, 0, 0);
 }
 
-bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies) {
+bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies, std::size_t factor) {
     std::size_t count = 0, pairs = 0;
     bool has_moderate_numbers = true;
     for (const BodyId body : bodies) {
@@ -55,7 +55,7 @@ bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies) {
         has_moderate_numbers = has_moderate_numbers && is_moderate(pose.R) && is_moderate(pose.t) &&
                                std::ranges::all_of(mesh->vertices(), [](const Vec3& v) { return is_moderate(v); });
     }
-    return pairs <= (has_moderate_numbers ? triangle_pairs_max : triangle_pairs_max_of_long_integers);
+    return factor * pairs <= (has_moderate_numbers ? triangle_pairs_max : triangle_pairs_max_of_long_integers);
 }
 
 }  // namespace ecods::fuzz

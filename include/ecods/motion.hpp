@@ -10,7 +10,7 @@
 
 namespace ecods {
 
-// Translates a body by time times `by`. By default it rests.
+// Translates a body by time times `by`, by default not at all.
 struct Translation {
     Vec3 by = Vec3::Zero();
 

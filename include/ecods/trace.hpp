@@ -35,11 +35,12 @@
 //     first_hit_of_ray 0123456789abcdef O O O D D D inf none
 //     all_hits, all_hits_of_ray                        the same
 //     cast 0123456789abcdef 1.0 M M M 0x1p+0           body, motion, limit of time
-//     cast_turn 0123456789abcdef 1.0 W X Y Z C C C D D D 0x1p+0     the quaternion, both pivots
 //     meetings 0123456789abcdef 2                      number of lines p that follow, as for set_poses
-//     meetings_of 0123456789abcdef 3                   number of lines that follow, as for set_poses, or these:
-//     translated 1.0 M M M
-//     turned 2.0 W X Y Z C C C D D D
+//     cast_of 0123456789abcdef 1.0 translated M M M 0x1p+0            any motion; other ones are:
+//     cast_of 0123456789abcdef 1.0 straight R R R t R R R t R R R t 0x1p+0
+//     cast_of 0123456789abcdef 1.0 turned W X Y Z C C C D D D 0x1p+0  quaternion, both places of the pivot
+//     meetings_of 0123456789abcdef 1                   number of lines that follow: m, body, any motion
+//     m 1.0 translated M M M
 //     nearest 0123456789abcdef 1.0 inf                 body, limit of distance
 //     closest_pair 0123456789abcdef inf
 //     closest_pair_of 0123456789abcdef inf 1 2         limit of distance, groups; hexadecimal

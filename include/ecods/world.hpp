@@ -282,13 +282,13 @@ class ECODS_API World {
     [[nodiscard]] BodyHitLists all_hits(std::span<const Ray> rays, std::optional<CollisionFilter> filter = {},
                                         const Ask& ask = {}) const;
 
-    // Suppose that the subject is translated by t * `motion` at each time t (cast.hpp), or turns (turn.hpp); nothing is
-    // moved. Return the body that it meets first, or nullopt if it meets none up to max_time, which counts as 1 if it is
-    // greater. Throw the errors of the cast of two bodies. Need tests that answer Question::cast; for a turn
-    // Question::cast_any_motion, which of the library's tests only those of meshes and solids do.
+    // Suppose that the subject is translated by t * `motion` at each time t (cast.hpp), or moves in any way
+    // (motion.hpp); nothing is moved. Return the body that it meets first, or nullopt if it meets none up to max_time.
+    // A max_time above 1 counts as 1. Throw the errors of the cast of two bodies. Need tests that answer
+    // Question::cast; for turns and straight motions cast_any_motion, as of the library's tests only those of meshes.
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
-    [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Turn& turn, double max_time = 1,
+    [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Motion& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
     // Returns the body that the subject, so translated, enters first (cast.hpp), by rounded times, then ids. Throws

@@ -42,14 +42,13 @@ std::string pose_entry(int row, int column) {
 }
 
 // Names of questions, indexed by the enumerator's value.
-constexpr std::array<std::string_view, 13> question_names = {
-    "relation",       "intersecting_triangles",
-    "distance",       "within",
-    "closest",        "intersections",
-    "close_features", "cast",
-    "cast_moving",    "hits",
-    "intersects",     "certify",
-    "cast_any_motion"};
+constexpr std::array<std::string_view, 13> question_names = {"relation",       "intersecting_triangles",
+                                                             "distance",       "within",
+                                                             "closest",        "intersections",
+                                                             "close_features", "cast",
+                                                             "cast_moving",    "hits",
+                                                             "intersects",     "certify",
+                                                             "cast_any_motion"};
 static_assert(static_cast<std::size_t>(Question::cast_any_motion) + 1 == question_names.size());
 
 std::string name_of(Question question) {
@@ -290,9 +289,9 @@ InvalidArgument invalid_time(double value) {
 }
 
 InvalidArgument invalid_list_length(std::size_t body_count, std::size_t count, const std::string& what) {
-    return {"a list of " + std::to_string(body_count) + " bodies came with a list of " + std::to_string(count) + " " +
-                what,
-            Argument::list_length, what, static_cast<double>(count)};
+    return {
+        "a list of " + std::to_string(body_count) + " bodies came with a list of " + std::to_string(count) + " " + what,
+        Argument::list_length, what, static_cast<double>(count)};
 }
 
 InvalidArgument null_argument(const std::string& name) {

@@ -5,7 +5,7 @@
 // `fields` passes these kinds of fields, besides the kinds of calls.hpp:
 //
 //     answer     the digest                             number           0 or more, infinity included
-//     line       a segment or a ray                     motion, turn, point, optional_filter, groups
+//     line       a segment or a ray                     motion, any_motion, point, optional_filter, groups
 //     moved_bodies   as many bodies as motions
 #pragma once
 
@@ -85,20 +85,20 @@ struct Cast {
 };
 
 template <class Names>
-struct CastTurn {
-    static constexpr std::string_view name = "cast_turn";
+struct CastOf {
+    static constexpr std::string_view name = "cast_of";
     std::uint64_t answer;
     typename Names::Body body;
-    Turn turn;
+    Motion motion;
     double max_time;
 
     static void fields(auto&& each, auto&... call) {
         each.answer(call.answer...);
         each.body(call.body...);
-        each.turn(call.turn...);
+        each.any_motion(call.motion...);
         each.number(call.max_time...);
     }
-    auto ask(auto& world) const { return world.cast(body, turn, max_time); }
+    auto ask(auto& world) const { return world.cast(body, motion, max_time); }
 };
 
 template <class Names>
@@ -213,10 +213,9 @@ struct SolidDistances : UpTo {
 };
 
 template <class Names>
-using Question =
-    std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
-                 Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>, Depths<Names>,
-                 SolidDistances<Names>, SignedDistances<Names>, ClosestOfGroups<Names>, ClosestPairs<Names>, CastTurn<Names>,
-                 MeetingsOfMotions<Names>>;
+using Question = std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
+                              Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>, Depths<Names>,
+                              SolidDistances<Names>, SignedDistances<Names>, ClosestOfGroups<Names>,
+                              ClosestPairs<Names>, CastOf<Names>, MeetingsOfMotions<Names>>;
 
 }  // namespace ecods::calls

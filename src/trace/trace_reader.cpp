@@ -66,28 +66,30 @@ void FieldReader::posed_bodies(std::vector<calls::Label>& bodies, std::vector<Po
     }
 }
 
-void FieldReader::turn(Turn& turn) {
-    for (double* const part : {&turn.q.w, &turn.q.x, &turn.q.y, &turn.q.z}) *part = lines_.coordinate();
-    turn.pivot_from = lines_.point();
-    turn.pivot_to = lines_.point();
+void FieldReader::any_motion(Motion& motion) {
+    const std::string_view name = lines_.word("a motion");
+    if (name == "translated") {
+        motion = Translation{lines_.point()};
+    } else if (name == "straight") {
+        motion = Straight{lines_.pose()};
+    } else if (name == "turned") {
+        Turn turn;
+        for (double* const part : {&turn.q.w, &turn.q.x, &turn.q.y, &turn.q.z}) *part = lines_.coordinate();
+        turn.pivot_from = lines_.point();
+        turn.pivot_to = lines_.point();
+        motion = turn;
+    } else {
+        lines_.fail("there is no such motion");
+    }
 }
 
 void FieldReader::moved_bodies(std::vector<calls::Label>& bodies, std::vector<Motion>& motions) {
     const std::uint64_t count = lines_.decimal("a number of motions", max_64);
     lines_.require_end();
     for (std::uint64_t i = 0; i < count; ++i) {
-        if (!lines_.next()) lines_.fail("a motion is missing");
-        const std::string name(lines_.word("a motion"));
+        lines_.require_next("m");
         bodies.push_back(known_body()->second);
-        if (name == "translated") {
-            motions.emplace_back(Translation{lines_.point()});
-        } else if (name == "p") {
-            motions.emplace_back(Straight{lines_.pose()});
-        } else if (name == "turned") {
-            turn(std::get<Turn>(motions.emplace_back(Turn())));
-        } else {
-            lines_.fail("there is no such motion");
-        }
+        any_motion(motions.emplace_back());
         lines_.require_end();
     }
 }

@@ -34,15 +34,16 @@ void TraceWriter::FieldWriter::moved_bodies(std::span<const BodyId> bodies, std:
     put(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         writer.end_line();
-        if (const auto* const translation = std::get_if<Translation>(&motions[i])) {
-            put("translated", bodies[i], translation->by);
-        } else if (const auto* const straight = std::get_if<Straight>(&motions[i])) {
-            put("p", bodies[i], straight->to);
-        } else {
-            put("turned", bodies[i]);
-            turn(std::get<Turn>(motions[i]));
-        }
+        put("m", bodies[i]);
+        any_motion(motions[i]);
     }
+}
+
+void TraceWriter::FieldWriter::any_motion(const Motion& motion) const {
+    if (const auto* const translation = std::get_if<Translation>(&motion)) return put("translated", translation->by);
+    if (const auto* const straight = std::get_if<Straight>(&motion)) return put("straight", straight->to);
+    const auto& [q, from, to] = std::get<Turn>(motion);
+    put("turned", q.w, q.x, q.y, q.z, from, to);
 }
 
 void TraceWriter::begin(BroadPhaseKind kind, std::size_t slot_count) noexcept {

@@ -77,9 +77,7 @@ class TraceWriter {
         void line(const Segment& segment) const { put(segment.a, segment.b); }
         void line(const Ray& ray) const { put(ray.origin, ray.direction, ray.max_parameter); }
         void motion(const Vec3& motion) const { put(motion); }
-        void turn(const Turn& turn) const {
-            put(turn.q.w, turn.q.x, turn.q.y, turn.q.z, turn.pivot_from, turn.pivot_to);
-        }
+        void any_motion(const Motion& motion) const;
         void moved_bodies(std::span<const BodyId> bodies, std::span<const Motion> motions) const;
         void point(const Vec3& point) const { put(point); }
         void number(double number) const { put(number); }

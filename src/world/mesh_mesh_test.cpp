@@ -56,8 +56,8 @@ class MeshMeshTest final : public TwoBodyTest {
                                             const Ask& ask) const override {
         return ecods::cast(mesh_of(a), mesh_of(b), max_time, ask);
     }
-    std::optional<FirstContact> cast_any_motion(const Posed<Shape>& a, const Motion& motion_of_a,
-                                                const Posed<Shape>& b, const Motion& motion_of_b, double max_time,
+    std::optional<FirstContact> cast_any_motion(const Posed<Shape>& a, const Motion& motion_of_a, const Posed<Shape>& b,
+                                                const Motion& motion_of_b, double max_time,
                                                 const Ask& ask) const override {
         return ecods::cast(mesh_of(a), motion_of_a, mesh_of(b), motion_of_b, max_time, ask);
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "ecods/two_body_test.hpp"
@@ -29,6 +30,12 @@ inline ClosestPoints turned(ClosestPoints points) noexcept {
     std::swap(points.a, points.b);
     std::swap(points.point_a, points.point_b);
     return points;
+}
+
+// Returns the contact of two bodies that the test may have taken in the other order.
+inline std::optional<FirstContact> in_order(const OrderedTest& test, std::optional<FirstContact> contact) noexcept {
+    if (contact && test.swapped) std::swap(contact->a, contact->b);
+    return contact;
 }
 
 class TwoBodyTests {

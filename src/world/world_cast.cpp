@@ -4,12 +4,13 @@
 #include <variant>
 #include <vector>
 
-#include "base/limits.hpp"
 #include "base/double_key.hpp"
+#include "base/limits.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/cast/turn_boxes.hpp"
 #include "query/intersection/asking.hpp"
 #include "world/least.hpp"
+#include "world/way_box.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
@@ -50,19 +51,15 @@ FirstMet first_met(const Vec3& motion, double max_time) {
 // instead, which gives the same contact.
 std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Vec3& motion,
                                     const Posed<Shape>& b, double max_time, QueryMemory& memory) {
-    if (!test.swapped) return test.test->cast(a, motion, b, max_time, memory);
-    auto contact = test.test->cast(b, -motion, a, max_time, memory);
-    if (contact) std::swap(contact->a, contact->b);
-    return contact;
+    return in_order(test, test.swapped ? test.test->cast(b, -motion, a, max_time, memory)
+                                       : test.test->cast(a, motion, b, max_time, memory));
 }
 
-// Casts `a`, which turns, against `b` at rest, in the order of the test.
-std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Motion& turn,
+// Casts `a`, in any motion, against `b` at rest, in the order of the test.
+std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Motion& motion,
                                     const Posed<Shape>& b, double max_time, QueryMemory& memory) {
-    if (!test.swapped) return test.test->cast_any_motion(a, turn, b, Motion(), max_time, memory);
-    auto contact = test.test->cast_any_motion(b, Motion(), a, turn, max_time, memory);
-    if (contact) std::swap(contact->a, contact->b);
-    return contact;
+    return in_order(test, test.swapped ? test.test->cast_any_motion(b, Motion(), a, motion, max_time, memory)
+                                       : test.test->cast_any_motion(a, motion, b, Motion(), max_time, memory));
 }
 
 }  // namespace
@@ -86,15 +83,16 @@ std::optional<BodyContact> World::cast(const Asked& asked, const Vec3& motion, d
     return body != nullptr && !subject.filter ? w.traced<calls::Cast>(ask, found, *body, motion, max_time) : found;
 }
 
-// Asks each body once, up to the end of the turn, when the first piece of the turn may meet it.
-std::optional<BodyContact> World::cast(const Asked& asked, const Turn& turn, double max_time, const Ask& ask) const {
+// Asks each body once, up to the end of the motion, when the first piece of the way may meet it.
+std::optional<BodyContact> World::cast(const Asked& asked, const Motion& motion, double max_time,
+                                       const Ask& ask) const {
+    if (const auto* const by = std::get_if<Translation>(&motion)) return cast(asked, by->by, max_time, ask);
     const Impl& w = impl();
     const Subject subject = w.subject_of(asked);
-    validate(turn);
+    validate(motion);
     FirstMet first(require_time(max_time));
     w.require_tests_for(subject, Question::cast_any_motion);
     Asking asking(ask);
-    const Motion motion = turn;
     const auto ask_body = [&](ProxyIndex proxy) {
         first.take(proxy, [&](double limit) {
             const Slot& slot = w.bodies[proxy];
@@ -114,10 +112,15 @@ std::optional<BodyContact> World::cast(const Asked& asked, const Turn& turn, dou
         std::inplace_merge(known.begin(), middle, known.end());
         return TurnBoxes::Next::go_on;
     };
-    TurnBoxes(w.box_of(subject), turn).visit(first.bound(), search);
+    const Aabb box = w.box_of(subject);
+    if (const auto* const turn = std::get_if<Turn>(&motion)) {
+        TurnBoxes(box, *turn).visit(first.bound(), search);
+    } else {
+        search(0, box_of_way(*subject.posed.what, subject.posed.pose, box, motion), false);
+    }
     const auto found = first.answer(w.bodies);
     const BodyId* const body = std::get_if<BodyId>(&asked.what());
-    return body != nullptr && !subject.filter ? w.traced<calls::CastTurn>(ask, found, *body, turn, max_time) : found;
+    return body != nullptr && !subject.filter ? w.traced<calls::CastOf>(ask, found, *body, motion, max_time) : found;
 }
 
 }  // namespace ecods

@@ -9,32 +9,12 @@
 #include "base/make_error.hpp"
 #include "geometry/same_bits.hpp"
 #include "query/body/motion_kinds.hpp"
-#include "query/cast/turn_boxes.hpp"
 #include "query/intersection/asking.hpp"
+#include "world/way_box.hpp"
 #include "world/world_impl.hpp"
 
 namespace ecods {
 namespace {
-
-// Returns a box that contains every point of a body while it moves between two poses with these boxes. Each point moves
-// on a straight line, so each of its coordinates stays between its values at the two ends.
-Aabb box_of_way(const Aabb& from, const Aabb& to) {
-    Aabb box = from;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (key_of(to.min[axis]) < key_of(box.min[axis])) box.min[axis] = to.min[axis];
-        if (key_of(to.max[axis]) > key_of(box.max[axis])) box.max[axis] = to.max[axis];
-    }
-    return box;
-}
-
-// Returns a box that contains every point of the body, which the box `from` contains at its present pose, while it
-// moves.
-Aabb box_of_way(const Slot& slot, const Aabb& from, const Motion& motion, BodyId body, std::size_t index) {
-    const Pose* const end = straight_end(slot.pose, motion);
-    if (end == &slot.pose) return from;
-    if (end != nullptr) return box_of_way(from, box_for(*slot.shape, *end, body, index));
-    return TurnBoxes(from, turn_of(motion)).whole();
-}
 
 // Stores the bodies that move or changed, each with its motion and a box that contains its whole motion.
 class Ways {
@@ -127,7 +107,9 @@ std::vector<Meeting> World::Impl::find_meetings(std::span<const BodyId> listed, 
     for (std::size_t i = 0; i < listed.size(); ++i) {
         const ProxyIndex proxy = bodies.require(listed[i], i);
         require_valid(motions[i], listed[i], i);
-        ways.set(proxy, motions[i], box_of_way(bodies[proxy], broad_phase.box(proxy), motions[i], listed[i], i));
+        const Slot& slot = bodies[proxy];
+        const Aabb& from = broad_phase.box(proxy);
+        ways.set(proxy, motions[i], box_of_way(*slot.shape, slot.pose, from, motions[i], listed[i], i));
     }
     require_answers(Question::cast_moving);
     if (are_any_motions(ways, bodies)) require_answers(Question::cast_any_motion);
@@ -145,9 +127,8 @@ std::vector<Meeting> World::Impl::find_meetings(std::span<const BodyId> listed, 
         if (!bodies.is_enabled(pair)) continue;
         const OrderedTest test = test_of(pair);
         const auto [first, second] = test.swapped ? std::pair(pair.b, pair.a) : std::pair(pair.a, pair.b);
-        auto contact = meet(*test.test, bodies[first], ways.motion(first), bodies[second], ways.motion(second),
-                            asking.memory());
-        if (contact && test.swapped) std::swap(contact->a, contact->b);
+        const auto contact = in_order(test, meet(*test.test, bodies[first], ways.motion(first), bodies[second],
+                                                 ways.motion(second), asking.memory()));
         if (contact) result.push_back({bodies.ids_of(pair), *contact});
     }
     std::ranges::sort(result, {},

@@ -99,6 +99,9 @@ std::uint64_t answers_of(const World& world, const std::vector<BodyId>& bodies, 
         const BodyId body = bodies[static_cast<std::size_t>(i)];
         const auto met = world.cast(body, Vec3(0.25 * i, 1, 0), 1, ask);
         add(met ? met->body.slot : 0);
+        const auto turned = world.cast(body, Turn{{1, 0, 0, 0.25 * i}, Vec3::Zero(), to}, 1, ask);
+        add(turned ? turned->body.slot : 0);
+        add(world.meetings({&body, 1}, std::vector<Motion>{Translation{to}}, ask).size());
         add(world.nearest(body, World::no_limit, ask)->body.slot);
         add(world.intersecting_bodies({world.shape(body), pose_of(i + 3)}, ask).size());
         add(world.intersecting_triangles(body, {world.shape(body), pose_of(i + 1)}, ask).size());
@@ -146,8 +149,9 @@ bool questions_answer_alike() {
     world.end_trace();
     std::istringstream in(trace.str());
     const ReplayReport report = replay(in);
-    // Two frames, two threads and four bodies: two questions about a line each, a cast, the nearest body, meetings.
-    return wrong == 0 && !report.difference && report.question_count == 2 * 2 * 4 * 5;
+    // Two frames, two threads and four bodies: two questions about a line each, two casts, the nearest body, meetings
+    // of poses and of motions.
+    return wrong == 0 && !report.difference && report.question_count == 2 * 2 * 4 * 7;
 }
 
 // Questions that an executor runs are asked by threads at once, beside others that give a memory.

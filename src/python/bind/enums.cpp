@@ -94,7 +94,7 @@ void bind_enums(py::module_& m) {
                              {"disjoint", "touching", "crossing", "distance", "within", "beyond", "hit", "miss"});
     make<Question>(m, "Question", "The question that NotSupported names.",
                    {"relation", "intersecting_triangles", "distance", "within", "closest", "intersections",
-                    "close_features", "cast", "cast_moving", "hits", "intersects", "certify"});
+                    "close_features", "cast", "cast_moving", "hits", "intersects", "certify", "cast_any_motion"});
     make<InvalidMesh::Reason>(m, "InvalidMeshReason", "The reason of an InvalidMesh.",
                               {"empty", "vertex", "index", "layout", "too_large"});
     make<NotSolid::Reason>(m, "NotSolidReason", "The reason of a NotSolid.",

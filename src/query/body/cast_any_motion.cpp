@@ -15,7 +15,7 @@
 namespace ecods {
 namespace {
 
-// Returns the translation of a body that rests or is translated; null for other motions.
+// Returns the translation of a body that is at rest or translated; null for other motions.
 const Vec3* translation(const Pose& start, const Motion& motion) {
     static const Vec3 rest = Vec3::Zero();
     if (const auto* const by = std::get_if<Translation>(&motion)) return &by->by;

@@ -19,7 +19,7 @@ class MotionKinds {
     std::size_t turn_count_ = 0, translation_count_ = 0, straight_count_ = 0;
 };
 
-// Returns the last pose of a body that rests or goes straight to a pose; &start if it rests; null for other motions.
+// Returns the last pose of a body that is at rest (&start) or goes straight to a pose; null for other motions.
 // Both arguments must outlive the result.
 const Pose* straight_end(const Pose& start, const Motion& motion);
 

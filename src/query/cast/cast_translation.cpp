@@ -40,7 +40,8 @@ class TranslationQuestion : public TranslatedPairs {
 // Returns the first open contact if its real time is at most `latest`. A real time that rounds to less than `latest` is
 // less than `latest`. One that rounds to `latest` may exceed it: of several pairs that tie in rounded time, some may
 // exceed it and others not, so these are compared exactly. If `latest` is 1, every contact is in time.
-std::optional<FirstContact> first_by(double latest, TranslationQuestion& translation, SieveOf<TranslationQuestion>& sieve) {
+std::optional<FirstContact> first_by(double latest, TranslationQuestion& translation,
+                                     SieveOf<TranslationQuestion>& sieve) {
     const auto contact =
         first_contact(sieve, [&](const auto& open) { return translation.round(open.triangles, open.interval); });
     if (!contact || key_of(contact->time) > key_of(latest)) return std::nullopt;

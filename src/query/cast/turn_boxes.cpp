@@ -30,8 +30,8 @@ TurnBoxes::TurnBoxes(const Aabb& start, const Turn& turn)
     const auto are_moderate = [](const Vec3& v) {
         return std::abs(v[0]) < end_max && std::abs(v[1]) < end_max && std::abs(v[2]) < end_max;
     };
-    is_bounded_ = angles_.is_bounded() && are_moderate(most_) && are_moderate(turn.pivot_from) &&
-                  are_moderate(turn.pivot_to);
+    is_bounded_ =
+        angles_.is_bounded() && are_moderate(most_) && are_moderate(turn.pivot_from) && are_moderate(turn.pivot_to);
     if (!is_bounded_) return;
     for (std::size_t i = 0; i < 8; ++i) {
         Vec3& p = corners_[i];
@@ -95,7 +95,8 @@ void TurnBoxes::include_places(const exact::HalfAngle& half, Aabb& box) const {
     for (int k = 0; k < 3; ++k) {
         const double error = common + 16 * two_u * (most_[k] + std::abs(glide_[k])) + box_margin;
         for (std::size_t i = 0; i < 8; ++i) {
-            const double x = ((corners_[i][k] + half.time * glide_[k]) + turned * across_[i][k]) + inward * inwards_[i][k];
+            const double x =
+                ((corners_[i][k] + half.time * glide_[k]) + turned * across_[i][k]) + inward * inwards_[i][k];
             box.min[k] = std::min(box.min[k], next_down(x - error));
             box.max[k] = std::max(box.max[k], next_up(x + error));
         }

@@ -9,8 +9,8 @@
 // of that axis; 256 and 16 in place of both factors cover the rounding of the bound. In a piece of the turn, every
 // point is within its distance from the axis times the sagitta, and |m| times the shift, of a chord of its places at
 // both ends (turning_points.hpp), and so the places of the corners at both ends, widened, contain it. The distance from
-// the axis is convex, so it is the greatest at a corner: |e x g|, off by 6.2 u' G + 1.42 e_g on each axis, below 32 u' G
-// in length.
+// the axis is convex, so it is the greatest at a corner: |e x g|, off by 6.2 u' G + 1.42 e_g on each axis, below 32 u'
+// G in length.
 //
 // Underflow. Numbers are not scaled: squares that are lost are below 2^-1021, so a length is off by less than 2^-508,
 // and every other lost number is smaller. 2^-500 is added.
@@ -42,8 +42,8 @@ class TurnBoxes {
         for (double from = 0; !ends.empty();) {
             const End end = ends.back();
             const Piece piece = piece_between(from, end.time);
-            const bool may_divide = piece.is_long && end.depth < depth_max && piece.middle > from &&
-                                    piece.middle < end.time;
+            const bool may_divide =
+                piece.is_long && end.depth < depth_max && piece.middle > from && piece.middle < end.time;
             const Next next = may_divide && !piece.is_bounded ? Next::divide : found(from, piece.box, may_divide);
             if (next == Next::stop) return;
             if (next == Next::divide && may_divide) {
@@ -78,7 +78,7 @@ class TurnBoxes {
     exact::TurnAngles angles_;
     std::array<Vec3, 8> corners_, across_, inwards_;  // p, d1 and d2
     Vec3 glide_ = Vec3::Zero(), most_ = Vec3::Zero(), widths_ = Vec3::Zero();
-    double arm_ = 0;                                // G
+    double arm_ = 0;  // G
     double radius_ = 0, way_ = 0, size_ = 0;
     bool is_bounded_ = false;
 };

@@ -137,6 +137,23 @@ void turn_all_the_way() {
                text(contact_point(way, other, *met).point));
 }
 
+// A rod turns while a cart comes: which pairs meet on the way, and when?
+void move_at_once() {
+    World world;
+    const BodyId rod = world.create_body(box({2, 0.125, 0.125}), {.t = {1, 0, 0}});
+    const BodyId cart = world.create_body(unit_cube(), {.t = {-4, 1, 0}});
+    world.create_body(box({0.125, 0.125, 1}), {.t = {1.25, 1.25, 0}});
+    const std::vector bodies = {rod, cart};
+    const std::vector<Motion> motions = {about({0, 0, 1}, std::numbers::pi / 2, Vec3::Zero()), Translation{{4, 0, 0}}};
+    for (const Meeting& meeting : world.meetings(bodies, motions)) {
+        fmt::print("move at once: {} at time {:.3f}\n", fmt::streamed(meeting.bodies), meeting.contact.time);
+    }
+    if (const auto met = world.cast(rod, std::get<Turn>(motions[0]))) {
+        fmt::print("move at once: the rod alone meets {} at time {:.3f}\n", fmt::streamed(met->body),
+                   met->contact.time);
+    }
+}
+
 void world_with_events() {
     World world;
     world.create_body(unit_cube(), Pose{});
@@ -327,6 +344,7 @@ int main() {
     cast_a_cloth();
     turn_past_a_post();
     turn_all_the_way();
+    move_at_once();
     world_with_events();
     nearest_body();
     inside_a_solid();

@@ -52,8 +52,7 @@ class BoxTest final : public TwoBodyTest {
   public:
     bool answers(Question question) const noexcept override {
         return question == Question::relation || question == Question::within || question == Question::distance ||
-               question == Question::cast || question == Question::cast_moving ||
-               question == Question::cast_any_motion;
+               question == Question::cast || question == Question::cast_moving || question == Question::cast_any_motion;
     }
     // At the start or not at all.
     std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& /*motion*/, const Posed<Shape>& b,

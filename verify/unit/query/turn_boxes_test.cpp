@@ -57,11 +57,20 @@ Turn any_turn(scenes::Random& random, double unit) {
     const auto part = [&] { return random.uniform(-1, 1); };
     Turn turn{{part(), part(), part(), part()}, Vec3::Zero(), Vec3::Zero()};
     switch (random.below(6)) {
-        case 0: turn.q = {1, 0, 0, 0}; break;
-        case 1: turn.q = {-1, 0, 0x1p-20, 0}; break;
-        case 2: turn.q = {1, 0x1p-30 * part(), 0, 0}; break;
-        case 3: turn.q = {0.5, 0, 0, 1}; break;
-        default: break;
+        case 0:
+            turn.q = {1, 0, 0, 0};
+            break;
+        case 1:
+            turn.q = {-1, 0, 0x1p-20, 0};
+            break;
+        case 2:
+            turn.q = {1, 0x1p-30 * part(), 0, 0};
+            break;
+        case 3:
+            turn.q = {0.5, 0, 0, 1};
+            break;
+        default:
+            break;
     }
     for (int k = 0; k < 3; ++k) turn.pivot_from[k] = turn.pivot_to[k] = unit * random.uniform(-4, 4);
     if (random.below(2) == 0) turn.pivot_to += unit * Vec3(part(), part(), 4 * part());
@@ -129,9 +138,9 @@ TEST(TurnBoxes, AreTight) {
 TEST(TurnBoxes, WithoutABoundContainEverything) {
     const Aabb unit{Vec3::Zero(), Vec3::Ones()};
     const double infinity = std::numeric_limits<double>::infinity();
-    for (const Turn& turn : {Turn{{-1, 0, 0, 0x1p-40}, Vec3::Zero(), Vec3::Zero()},
-                             Turn{{1, 0, 0, 0x1p-600}, Vec3::Zero(), Vec3::Zero()},
-                             Turn{{1, 0, 0, 1}, Vec3(0x1p1010, 0, 0), Vec3(0x1p1010, 0, 0)}}) {
+    for (const Turn& turn :
+         {Turn{{-1, 0, 0, 0x1p-40}, Vec3::Zero(), Vec3::Zero()}, Turn{{1, 0, 0, 0x1p-600}, Vec3::Zero(), Vec3::Zero()},
+          Turn{{1, 0, 0, 1}, Vec3(0x1p1010, 0, 0), Vec3(0x1p1010, 0, 0)}}) {
         EXPECT_EQ(TurnBoxes(unit, turn).whole().max, Vec3::Constant(infinity).eval());
     }
     const Aabb half{{-infinity, -infinity, -infinity}, {infinity, infinity, 0}};

@@ -38,8 +38,9 @@ std::string traced(const TraceOptions& options) {
     std::ignore = world.meetings(std::vector{bodies[2], bodies[0]}, std::vector{at(0), at(6)});
     const Turn turn{{1, 0, 0, 0.5}, Vec3(3, 3, 0), Vec3(3, 3, 1)};
     std::ignore = world.cast(bodies[0], turn);
-    std::ignore = world.meetings(std::vector{bodies[2], bodies[0]},
-                                 std::vector<Motion>{turn, Translation{Vec3(4, 0.1, 0)}});
+    std::ignore = world.cast(bodies[0], Straight{at(8)});
+    std::ignore =
+        world.meetings(std::vector{bodies[2], bodies[0]}, std::vector<Motion>{turn, Translation{Vec3(4, 0.1, 0)}});
     std::ignore = world.meetings(std::vector{bodies[2]}, std::vector<Motion>{Straight{at(0)}});
     std::ignore = world.bodies_containing(Vec3(0.25, 0.25, 0));
     std::ignore = world.depths();
@@ -76,9 +77,9 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nclosest_pair ", with), 1u);
     EXPECT_EQ(count_of("\ncast ", with), 2u);
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
-    EXPECT_EQ(count_of("\ncast_turn ", with), 1u);
+    EXPECT_EQ(count_of("\ncast_of ", with), 2u);
     EXPECT_EQ(count_of("\nmeetings_of ", with), 2u);
-    EXPECT_EQ(count_of("\ntranslated ", with) + count_of("\nturned ", with), 2u);
+    EXPECT_EQ(count_of(" translated ", with) + count_of(" turned ", with), 3u);
     EXPECT_EQ(count_of("\nbodies_containing ", with), 1u);
     EXPECT_EQ(count_of("\ndepths ", with), 1u);
     EXPECT_EQ(count_of("\nsigned_distances ", with), 1u);
@@ -89,9 +90,9 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
                             BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
         const ReplayReport report = replayed(with, kind);
         EXPECT_FALSE(report.difference) << report.difference->what;
-        EXPECT_EQ(report.question_count, 16u);
+        EXPECT_EQ(report.question_count, 17u);
         EXPECT_EQ(report.update_count, 2u);
-        EXPECT_EQ(report.call_count, 6u + 2 + 16);
+        EXPECT_EQ(report.call_count, 6u + 2 + 17);
     }
 }
 
@@ -120,7 +121,7 @@ TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
     const std::string text = traced({.questions = true});
     for (const std::string name :
          {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest", "closest_pair", "cast", "meetings",
-          "cast_turn", "meetings_of", "bodies_containing", "depths", "signed_distances"}) {
+          "cast_of", "meetings_of", "bodies_containing", "depths", "signed_distances"}) {
         const std::size_t line = text.find("\n" + name + " ") + 1;
         const std::size_t digest = line + name.size() + 1;
         std::string wrong = text;
@@ -166,16 +167,18 @@ TEST(TraceQuestions, WhatIsNoQuestionIsRefused) {
     refused("depths 0 inf");
     refused("meetings 0 1");
     refused("meetings 0 0 0");
-    const std::string cube = "mesh 1 3 1\nv 0x0p+0 0x0p+0 0x0p+0\nv 0x1p+0 0x0p+0 0x0p+0\nv 0x0p+0 0x1p+0 0x0p+0\nt 0 1 2\n";
-    const std::string body = cube + "create 1.0 1 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 "
-                                    "0x1p+0 0x0p+0\n";
+    const std::string cube =
+        "mesh 1 3 1\nv 0x0p+0 0x0p+0 0x0p+0\nv 0x1p+0 0x0p+0 0x0p+0\nv 0x0p+0 0x1p+0 0x0p+0\nt 0 1 2\n";
+    const std::string body = cube +
+                             "create 1.0 1 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 "
+                             "0x1p+0 0x0p+0\n";
     refused("meetings_of 0 1");
     refused("meetings_of 0 0 0");
-    refused(body + "meetings_of 0 1\nspun 1.0 0x0p+0 0x0p+0 0x0p+0");
-    refused(body + "meetings_of 0 1\ntranslated 1.0 0x0p+0 0x0p+0");
-    refused(body + "meetings_of 0 1\nturned 1.0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
-    refused(body + "cast_turn 0 1.0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0");
-    EXPECT_EQ(replayed(head + body + "meetings_of 0 1\ntranslated 1.0 0x0p+0 0x0p+0 0x0p+0\n").call_count, 2u);
+    refused(body + "meetings_of 0 1\nm 1.0 spun 0x0p+0 0x0p+0 0x0p+0");
+    refused(body + "meetings_of 0 1\nm 1.0 translated 0x0p+0 0x0p+0");
+    refused(body + "meetings_of 0 1\nm 1.0 turned 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
+    refused(body + "cast_of 0 1.0 turned 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0");
+    EXPECT_EQ(replayed(head + body + "meetings_of 0 1\nm 1.0 translated 0x0p+0 0x0p+0 0x0p+0\n").call_count, 2u);
     EXPECT_EQ(replayed(head + "meetings 0 0\n").question_count, 0u) << "which has another digest";
 }
 

@@ -245,8 +245,8 @@ TEST_P(WorldHitShapesTest, WhatIsNotAnsweredIsRefusedBeforeAnyBodyIsAsked) {
             std::ignore = world.cast({*shapes[0], at(-9)}, Vec3(1, 0, 0));
         },
         Question::cast, slab_kind, slab_kind);
-    expect_not_supported([&] { std::ignore = world.meetings({}, std::span<const Pose>()); },
-                         Question::cast_moving, slab_kind, slab_kind);
+    expect_not_supported([&] { std::ignore = world.meetings({}, std::span<const Pose>()); }, Question::cast_moving,
+                         slab_kind, slab_kind);
     world.set_test(slab_kind, ShapeKind::mesh(), std::make_shared<SlabTest>(false));
     expect_not_supported(
         [&] {
