@@ -3,30 +3,19 @@
 #include <fmt/ostream.h>
 #include <ecods/ecods.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "examples/how_do_i/bodies.hpp"
+#include "examples/how_do_i/moves.hpp"
+
+namespace how_do_i {
 namespace {
-
-using namespace ecods;
-
-std::string text(const Vec3& v) {
-    return fmt::format("({}, {}, {})", v.x(), v.y(), v.z());
-}
-
-// Returns the cube from (0, 0, 0) to (1, 1, 1). A convex solid is a solid, and that is a mesh's shape.
-std::shared_ptr<const ConvexSolid> unit_cube() {
-    std::vector<Vec3> corners;
-    for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
-    return std::make_shared<const ConvexSolid>(corners);
-}
 
 void touch() {
     const auto cube = unit_cube();
@@ -46,12 +35,6 @@ void ray() {
     if (hit) fmt::print("ray: hits at {}, in {}\n", hit->parameter, text(hit->point));
 }
 
-void cast_on_its_way() {
-    const auto cube = unit_cube();
-    const auto contact = cast({cube, {.t = {0, 0, 5}}}, Vec3(0, 0, -8), {cube, Pose{}});
-    if (contact) fmt::print("cast on its way: meets at time {}\n", contact->time);
-}
-
 // The line comes in through a face, out again, and so on: of a solid, every hit says which.
 void where_a_line_goes_in() {
     const auto cube = unit_cube();
@@ -66,91 +49,6 @@ void where_a_line_goes_in() {
     }
     for (const InsidePart& part : inside_parts(ray, {cube, Pose{}})) {
         fmt::print("parts inside: from {} to {}\n", part.from, part.to);
-    }
-}
-
-void contact_with_a_normal() {
-    const auto cube = unit_cube();
-    const Posed falling(cube, {.t = {0.25, 0.5, 5}}), floor(cube, Pose{});
-    const Vec3 motion(1, 0, -8);
-    const auto contact = cast(falling, motion, floor);
-    if (!contact) return;
-    const ContactPoint at = contact_point(falling, motion, floor, *contact);
-    fmt::print("contact with a normal: at {}, along {}\n", text(at.point), text(*at.normal));
-}
-
-// A cube that stands on another one slides off it freely; pushed down, it enters at once.
-void slide_and_enter() {
-    const auto cube = unit_cube();
-    const Posed standing(cube, {.t = {0, 0, 1}}), falling(cube, {.t = {0, 0, 3}}), floor(cube, Pose{});
-    const bool slides = !entering(standing, {2, 0, 0}, floor);
-    const auto entry = entering(falling, {0, 0, -3}, floor);
-    if (!entry) return;
-    const auto before = pose_before(falling, {0, 0, -3}, floor, entry->time);
-    fmt::print("slide and enter: slides {}, falls in at {:.4f}, free at height {}\n", slides, entry->time,
-               before->t.z());
-}
-
-void stop_at_a_distance() {
-    const auto cube = unit_cube();
-    const auto near = cast_to_distance({cube, {.t = {0, 0, 5}}}, {0, 0, -8}, {cube, Pose{}}, 2);
-    if (near) fmt::print("stop at a distance: 2 away at time {}\n", near->time);
-}
-
-// A sheet of two triangles falls while one of its corners lags behind.
-void cast_a_cloth() {
-    const std::vector<Vec3> corners{{0, 0, 3}, {1, 0, 3}, {1, 1, 3}, {0, 1, 3}};
-    const auto sheet = std::make_shared<const MeshShape>(Mesh::create(corners, {Triangle{0, 1, 2}, {0, 2, 3}}));
-    const Deforming cloth(sheet, {{0, 0, 3}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}});
-    const auto contact = cast(cloth, {unit_cube(), Pose{}});
-    if (contact) fmt::print("cast a cloth: meets at time {}\n", contact->time);
-}
-
-// A rod turns by a quarter about its end, as a joint of a robot does. If each of its points went straight, it would be
-// shorter on its way, and miss the post.
-void turn_past_a_post() {
-    const auto rod = box({2, 0.125, 0.125}), post = box({0.125, 0.125, 1});
-    const Turn turn = about({0, 0, 1}, std::numbers::pi / 2, Vec3::Zero());
-    const auto contact = cast({rod, {.t = {1, 0, 0}}, turn}, {post, {.t = {1.25, 1.25, 0}}});
-    if (!contact) return;
-    fmt::print("turn past a post: meets after {:.2f} of 90 degrees\n",
-               angle_at(turn, contact->time) * 180 / std::numbers::pi);
-    // Another rod turns about an end of its own.
-    const Turn other = about({0, 0, 1}, std::numbers::pi / 2, {2, 3, 0});
-    const auto between = cast({rod, {.t = {1, 0, 0}}, turn}, {rod, {.t = {1, 3, 0}}, other});
-    if (between) {
-        fmt::print("two rods that turn: meet after {:.2f} of 90 degrees\n",
-                   angle_at(turn, between->time) * 180 / std::numbers::pi);
-    }
-}
-
-// The rod goes on past half a turn, in which the post is not, to a whole one: two legs of a way.
-void turn_all_the_way() {
-    const auto rod = box({2, 0.125, 0.125}), post = box({0.125, 0.125, 1});
-    const Vec3 hinge = Vec3::Zero();
-    const std::vector<WayNode> nodes{{{1, 0, 0, 0}, hinge}, {{0, 0, 0, 1}, hinge}, {{-1, 0, 0, 0}, hinge}};
-    const Way<MeshShape> way(rod, {.t = {1, 0, 0}}, nodes);
-    const Posed<MeshShape> other(post, {.t = {-1.25, -1.25, 0}});
-    const auto met = cast(way, other);
-    if (!met) return;
-    fmt::print("turn all the way: meets on leg {} at {:.3f}, at {}\n", met->leg, met->contact.time,
-               text(contact_point(way, other, *met).point));
-}
-
-// A rod turns while a cart comes: which pairs meet on the way, and when?
-void move_at_once() {
-    World world;
-    const BodyId rod = world.create_body(box({2, 0.125, 0.125}), {.t = {1, 0, 0}});
-    const BodyId cart = world.create_body(unit_cube(), {.t = {-4, 1, 0}});
-    world.create_body(box({0.125, 0.125, 1}), {.t = {1.25, 1.25, 0}});
-    const std::vector bodies = {rod, cart};
-    const std::vector<Motion> motions = {about({0, 0, 1}, std::numbers::pi / 2, Vec3::Zero()), Translation{{4, 0, 0}}};
-    for (const Meeting& meeting : world.meetings(bodies, motions)) {
-        fmt::print("move at once: {} at time {:.3f}\n", fmt::streamed(meeting.bodies), meeting.contact.time);
-    }
-    if (const auto met = world.cast(rod, std::get<Turn>(motions[0]))) {
-        fmt::print("move at once: the rod alone meets {} at time {:.3f}\n", fmt::streamed(met->body),
-                   met->contact.time);
     }
 }
 
@@ -331,8 +229,10 @@ void limit_instructions() {
 }
 
 }  // namespace
+}  // namespace how_do_i
 
 int main() {
+    using namespace how_do_i;
     touch();
     distance_with_points();
     ray();
