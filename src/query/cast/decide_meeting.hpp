@@ -89,10 +89,12 @@ class MeetingDecision {
 
     // Decides exactly in some short time spans from the bound on, in which few features can meet; if these do not
     // suffice, for all times. If the points are far from their mesh's origin, the bound may end before the meeting
-    // because of the points' errors. So each span tried is longer than the one before.
+    // because of the points' errors. So each span tried is longer than the one before. The bounds of turns, of about
+    // 2^-42, mostly end before it; a first span of 2^-44 had five times as many exact decisions there, and of straight
+    // motions as many.
     std::optional<exact::Meeting> decide(exact::TimeSpan time, double to) {
         if (const auto* whole = known_.find_whole(triangles_)) return *whole;
-        constexpr std::array<double, 3> lengths{0x1p-44, 0x1p-36, 0x1p-28};  // relative to time.to
+        constexpr std::array<double, 3> lengths{0x1p-40, 0x1p-34, 0x1p-28};  // relative to time.to
         const auto points = pairs_.points_of(triangles_);
         for (const double length : lengths) {
             time.to = std::min(1.0, std::max(time.to, time.from + length * time.to));

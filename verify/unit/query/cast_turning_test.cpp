@@ -16,6 +16,7 @@
 #include "geometry/feature_key.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/turn_workloads.hpp"
 #include "unit/query/cast_bodies.hpp"
 
 namespace ecods::cast_turning_test {
@@ -257,6 +258,26 @@ TEST(CastTurning, ADiskJustAboveAFloor) {
     QueryCounts counts;
     EXPECT_FALSE(cast(a, {floor, Pose()}, 1, {counts}));
     EXPECT_EQ(counts.casts.exact, 0U);
+}
+
+// All pairs of triangles that meet in one vertex are decided by one exact decision, and the cast leaves them behind.
+TEST(CastTurning, DecidesOnceAndLeavesAWitness) {
+    QueryCounts counts;
+    std::size_t contact_count = 0;
+    for (const scenes::TurnWorkload& workload : scenes::turn_workloads(scenes::WorkloadSize::tiny)) {
+        const MeshShape shape(workload.meshes[0].mesh);
+        for (const scenes::TurnQuery& query : workload.queries) {
+            PairWitness witness;
+            const Turning<MeshShape> turning(shape, query.a.pose, query.turn);
+            const auto contact = cast(turning, {shape, query.b.pose}, 1, {counts, witness});
+            if (!contact) continue;
+            ++contact_count;
+            EXPECT_EQ(witness.a, contact->a.triangle);
+            EXPECT_EQ(witness.b, contact->b.triangle);
+        }
+    }
+    EXPECT_EQ(contact_count, 4U);
+    EXPECT_LE(counts.casts.exact, contact_count);
 }
 
 }  // namespace
