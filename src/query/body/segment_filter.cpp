@@ -24,6 +24,7 @@
 #include <cstdint>
 
 #include "base/arithmetic.hpp"
+#include "base/outward.hpp"
 #include "exact/point/vectors.hpp"
 
 namespace ecods {
@@ -35,23 +36,33 @@ using exact::Point;
 
 constexpr double root_of_3 = 1.7320509, least = 0x1p-400, most = 0x1p400;
 
+bool is_zero(const Vec3& v) noexcept {
+    return (magnitude_of(v[0]) | magnitude_of(v[1]) | magnitude_of(v[2])) == 0;
+}
+
 // A RoundedSegment holds the ends of a segment relative to an origin, rounded, and a bound of their errors.
 struct RoundedSegment {
     RoundedSegment(const Posed<MeshShape>& body, const Vec3& origin) noexcept {
         const Pose& pose = body.pose;
         const Vec3 offset = pose.t - origin;
         const Triangle& corners = body.what->mesh().triangles()[0];
+        is_point = corners[1] == corners[0];
         const auto end_at = [&](std::uint32_t corner) {
             const Vec3& v = body.what->mesh().vertices()[corner];
+            if (is_zero(v)) {
+                delta = std::max(delta, exact::point_error_bound(offset.cwiseAbs().maxCoeff(), 0));
+                return Point{offset[0], offset[1], offset[2]};
+            }
             delta = std::max(delta, exact::point_error_bound(pose.R, v.cwiseAbs(), offset));
             return exact::pose_point(pose.R, v, offset);
         };
         end[0] = end_at(corners[0]);
-        end[1] = corners[1] == corners[0] ? end[0] : end_at(corners[1]);
+        end[1] = is_point ? end[0] : end_at(corners[1]);
     }
 
     std::array<Point, 2> end;
     double delta = 0;
+    bool is_point;
 };
 
 double from_0_to_1(double x) noexcept {
@@ -66,6 +77,7 @@ Point point_at(const RoundedSegment& segment, double s) noexcept {
 
 // Returns the difference of two points of the segments that are approximately closest to each other.
 Point between(const RoundedSegment& a, const RoundedSegment& b) noexcept {
+    if (a.is_point && b.is_point) return minus(b.end[0], a.end[0]);
     const Point u = minus(a.end[1], a.end[0]), v = minus(b.end[1], b.end[0]), w = minus(b.end[0], a.end[0]);
     const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
     double s = from_0_to_1((uw * vv - uv * vw) / (uu * vv - uv * uv));

@@ -181,6 +181,19 @@ TEST_F(RoundedHullsTest, HardPairs) {
     });
 }
 
+// Balls that are far smaller than the box which they almost touch: errors of vertices are of the size of what decides.
+TEST_F(RoundedHullsTest, SmallRadii) {
+    const auto cube = box({2, 2, 2});
+    ask(600, 0, 0, [&](int i) {
+        const double radius = std::ldexp(random_.uniform(0.5, 1), -static_cast<int>(30 + random_.below(22)));
+        const Pose y = pose(2);
+        const double side = i % 3 == 0 ? 1 + radius : random_.uniform(-0.9, 0.9);
+        Pose x =
+            at(y.R * Vec3(random_.uniform(-0.9, 0.9), i % 3 == 0 ? 1 : side, i % 3 == 0 ? side : 1 + radius) + y.t);
+        return Pair{sphere(radius), around(cube, 0), x, y};
+    });
+}
+
 // The meshes of solids that have more in them than vertices and faces of the hull: no triangles of its edges are named.
 TEST_F(RoundedHullsTest, MeshesThatAreNotPlain) {
     const auto cube = box({2, 2, 2})->mesh_ptr();
