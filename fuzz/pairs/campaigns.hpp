@@ -50,8 +50,8 @@ void run_distances(std::uint32_t seed, Lie lie, CaseCounts& counts);
 void run_hits(std::uint32_t seed, Lie lie, CaseCounts& counts);
 void run_casts(std::uint32_t seed, Lie lie, CaseCounts& counts);
 
-// All families of turn_cases.hpp, by the oracle; and by pieces of the time, which share nothing with it. Small ones also
-// as ways of turns, with the points and normals of contacts, and the gap between the end of the turn and a pose.
+// All families of turn_cases.hpp, by the oracle; and by pieces of the time, which share nothing with it. Small ones
+// also as ways of turns, with the points and normals of contacts, and the gap between the end of the turn and a pose.
 void run_turns(std::uint32_t seed, Lie lie, CaseCounts& counts);
 
 // Turns of small integers, without the oracle: at times at which poses are doubles, up to a factor, bodies do not

@@ -90,6 +90,22 @@ TEST(Way, AfterAGlide) {
     EXPECT_EQ(met->contact.kind, ClosestKind::vertex_face);
 }
 
+// Bodies of any size are turned alike.
+TEST(Way, Scales) {
+    for (const int exponent : {-900, -300, 0, 300, 900}) {
+        const double unit = std::ldexp(1.0, exponent);
+        const auto vector = [&](double x, double y, double z) { return Vec3(unit * Vec3(x, y, z)); };
+        const Vec3 pivot = vector(1, 2, 3);
+        const std::vector<WayNode> nodes{{{}, pivot}, {{0, 0, 0, -1}, pivot}, {{}, pivot}, {{0, 0, 0, 1}, pivot}};
+        const auto met = cast_along({vector(6, 2, 3), vector(6, 1, 3), vector(6, 1, 4)}, nodes,
+                                    {vector(4, 6, 2), vector(4, 6, 4), vector(5, 9, 3)});
+        ASSERT_TRUE(met) << exponent;
+        EXPECT_EQ(met->leg, 2U) << exponent;
+        EXPECT_EQ(met->contact.time, 1 / 3.0) << exponent;
+        EXPECT_EQ(met->contact.kind, ClosestKind::vertex_edge) << exponent;
+    }
+}
+
 TEST(Way, Refusals) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refused = [](std::vector<WayNode> nodes, const std::string& part, ListIndex index) {
