@@ -52,10 +52,11 @@ inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
     return std::nullopt;
 }
 
-// True if v is zero. Compares keys, so a vector of subnormal numbers is not zero even if the processor takes them for
-// zero.
+// True if v is zero. Looks at the bits, so a vector of subnormal numbers is not zero even if the processor takes them
+// for zero.
 inline bool is_zero(const Vec3& v) noexcept {
-    return key_of(v[0]) == 0 && key_of(v[1]) == 0 && key_of(v[2]) == 0;
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    return (bits(v[0]) | bits(v[1]) | bits(v[2])) << 1 == 0;
 }
 
 // Throws InvalidArgument if a coordinate of the vector is not finite.

@@ -11,15 +11,12 @@
 #include "exact/number/power.hpp"
 #include "exact/point/pose_terms.hpp"
 #include "exact/point/short_matrix.hpp"
+#include "geometry/find_invalid.hpp"
 
 namespace ecods::exact {
 namespace {
 
 using Point = SegmentEnds::Point;
-
-bool is_zero(const Vec3& v) noexcept {
-    return (magnitude_of(v[0]) | magnitude_of(v[1]) | magnitude_of(v[2])) == 0;
-}
 
 // Computes the products R v for up to three points v of one body.
 class EndProducts {

@@ -26,6 +26,7 @@
 #include "base/arithmetic.hpp"
 #include "base/outward.hpp"
 #include "exact/point/vectors.hpp"
+#include "geometry/find_invalid.hpp"
 
 namespace ecods {
 namespace {
@@ -35,10 +36,6 @@ using exact::minus;
 using exact::Point;
 
 constexpr double root_of_3 = 1.7320509, least = 0x1p-400, most = 0x1p400;
-
-bool is_zero(const Vec3& v) noexcept {
-    return (magnitude_of(v[0]) | magnitude_of(v[1]) | magnitude_of(v[2])) == 0;
-}
 
 // A RoundedSegment holds the ends of a segment relative to an origin, rounded, and a bound of their errors.
 struct RoundedSegment {
