@@ -7,10 +7,10 @@
 
 #include "engines/own_turns.hpp"
 #include "engines/turn_engine.hpp"
-#include "harness/turn_judge.hpp"
 #include "judge/cast_truth.hpp"
 #include "suites/comparison.hpp"
 #include "suites/query_suite.hpp"
+#include "suites/turn_judge.hpp"
 
 namespace ecods::bench {
 
@@ -90,8 +90,9 @@ struct TurnSuite {
             return fmt::format("{:.1f}", static_cast<double>(count) / static_cast<double>(run.answers.size()));
         };
         cells.insert(cells.end(), {each(errors.counts.box_tests), each(errors.counts.casts.enclosures),
-                                   each(errors.counts.casts.exact), measured.wrong_text(i),
-                                   fmt::format("{}", measured.truths.judged_count)});
+                                   each(errors.counts.casts.exact)});
+        if (run.maker->traits.answer == TurnAnswer::straight) return cells;
+        cells.insert(cells.end(), {measured.wrong_text(i), fmt::format("{}", measured.truths.judged_count)});
         return cells;
     }
 

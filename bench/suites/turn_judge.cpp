@@ -1,4 +1,4 @@
-#include "harness/turn_judge.hpp"
+#include "suites/turn_judge.hpp"
 
 #include <algorithm>
 #include <array>
