@@ -60,8 +60,9 @@ class OracleJudge {
     void check_meeting(const SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b);
     std::optional<FirstContact> exact_cast(const SceneWorld& world, const FrameAnswer& answer, std::size_t a,
                                            std::size_t b);
-    std::optional<FirstContact> exact_turn(const FrameAnswer& answer, const oracle::TurningSoup& a,
-                                           const oracle::Soup& b, const std::string& bodies);
+    template <class Other>
+    std::optional<FirstContact> exact_turn(const FrameAnswer& answer, const oracle::TurningSoup& a, const Other& b,
+                                           const std::string& bodies);
     void check_casts(const SceneWorld& world, const FrameAnswer& answer);
     void check_hits(const SceneWorld& world, const FrameAnswer& answer);
     void differ(const FrameAnswer& answer, const std::string& bodies, const std::string& text);

@@ -23,6 +23,13 @@ std::optional<MeetingAnswer> find(const std::vector<MeetingAnswer>& list, std::s
     return listed == list.end() ? std::nullopt : std::optional(*listed);
 }
 
+std::size_t count_of(const oracle::Soup& soup) {
+    return soup.triangles.size();
+}
+std::size_t count_of(const oracle::TurningSoup& soup) {
+    return soup.from.triangles.size();
+}
+
 std::optional<FirstContact> contact_of(const std::optional<MeetingAnswer>& listed) {
     return listed ? std::optional(listed->contact) : std::nullopt;
 }
@@ -39,7 +46,7 @@ void OracleJudge::check_meetings(const SceneWorld& world, const FrameAnswer& ans
     }
 }
 
-// Two bodies that make the same turn are taken to rest: no other two that move are asked about if one turns.
+// If one of two bodies turns, the other one rests or turns.
 void OracleJudge::check_meeting(const SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b) {
     ++report_.moves;
     const std::string bodies = scene_.bodies[a].name + ", " + scene_.bodies[b].name;
@@ -47,23 +54,26 @@ void OracleJudge::check_meeting(const SceneWorld& world, const FrameAnswer& answ
         return judge::soup<MeshShape>({*world.posed(body).what, world.pose_before(body)});
     };
     const auto way_of = [&](std::size_t body) {
-        return oracle::MovingSoup{before(body), world.turn(body) ? world.pose_before(body) : world.pose(body)};
+        return oracle::MovingSoup{before(body), world.pose(body)};
     };
-    const bool is_turn = world.turn(a) && !world.turn(b);
-    const auto exact =
-        is_turn ? exact_turn(answer, judge::turning_soup({*world.posed(a).what, world.pose_before(a), *world.turn(a)}),
-                             before(b), bodies)
-                : judge::to_first_contact(oracle::first_contact(way_of(a), way_of(b)));
+    const auto turned = [&](std::size_t body) {
+        return judge::turning_soup({*world.posed(body).what, world.pose_before(body), *world.turn(body)});
+    };
+    const auto exact = !world.turn(a) ? judge::to_first_contact(oracle::first_contact(way_of(a), way_of(b)))
+                       : world.turn(b) ? exact_turn(answer, turned(a), turned(b), bodies)
+                                       : exact_turn(answer, turned(a), before(b), bodies);
     const auto found = contact_of(find(answer.meetings, a, b));
     if (judge::is_same(found, exact)) return;
     differ(answer, bodies, fmt::format("on the way {}, but exactly {}", judge::text(found), judge::text(exact)));
 }
 
+// The other body rests, or turns.
+template <class Other>
 std::optional<FirstContact> OracleJudge::exact_turn(const FrameAnswer& answer, const oracle::TurningSoup& a,
-                                                    const oracle::Soup& b, const std::string& bodies) {
+                                                    const Other& b, const std::string& bodies) {
     const auto exact = oracle::first_contact(a, b);
-    const bool is_proven = a.from.triangles.size() * b.triangles.size() <= proven_pairs_max;
-    const auto against = is_proven ? oracle::contradiction(a, b, exact) : std::nullopt;
+    const bool is_proven = count_of(a) * count_of(b) <= proven_pairs_max;
+    const auto against = is_proven ? oracle::contradiction(oracle::TurnSubdivision(a, b), exact) : std::nullopt;
     if (against) differ(answer, bodies, "the oracle contradicts itself: " + *against);
     return judge::to_first_contact(exact);
 }

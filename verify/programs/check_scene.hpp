@@ -124,7 +124,6 @@ class SceneWorld {
     void find_turn_meetings();
     std::optional<FirstContact> cast_of_turn(std::size_t a, std::size_t b);
     std::vector<MeetingAnswer> casts();
-    std::optional<MeetingAnswer> cast_turning(std::size_t body);
     std::vector<HitAnswer> hits();
     std::vector<std::shared_ptr<const MeshShape>> make_shapes();
     bool is_convex(BodyId body) const;

@@ -44,48 +44,33 @@ void SceneWorld::find_turn_meetings() {
     std::ranges::sort(meetings_, {}, [](const MeetingAnswer& x) { return std::tuple(x.contact.time, x.a, x.b); });
 }
 
-// Bodies that make the same turn are to each other as at its start, throughout.
 std::optional<FirstContact> SceneWorld::cast_of_turn(std::size_t a, std::size_t b) {
-    const Posed<MeshShape> first = posed_before(a), second = posed_before(b);
-    const bool is_same = turns_[a] == turns_[b], is_at_rest = !turns_[b] && poses_after_[b] == poses_before_[b];
-    const auto text = [&](const char* what) {
-        return fmt::format("frame {}: \"{}\" and \"{}\": {}", frame_count_, scene_.bodies[a].name,
-                           scene_.bodies[b].name, what);
+    const auto motion = [&](std::size_t body) {
+        return turns_[body] ? Motion(*turns_[body]) : Motion(Straight{poses_after_[body]});
     };
-    if (!is_same && !is_at_rest) {
-        throw NotSupported(text("--moves of a body that turns beside one that moves otherwise are not supported"));
-    }
     try {
-        return cast(Turning<MeshShape>(*first.what, first.pose, is_same ? Turn{} : *turns_[a]), second, 1, memory_);
+        return cast(posed_before(a), motion(a), posed_before(b), motion(b), 1, memory_);
     } catch (const NotSupported& error) {
-        throw NotSupported(text(error.what()));
+        throw NotSupported(fmt::format("frame {}: \"{}\" and \"{}\": {}", frame_count_, scene_.bodies[a].name,
+                                       scene_.bodies[b].name, error.what()));
     }
 }
 
 std::vector<MeetingAnswer> SceneWorld::casts() {
     std::vector<MeetingAnswer> casts;
     for (std::size_t body = 0; body < ids_.size(); ++body) {
-        if (const auto met = cast_turning(body)) casts.push_back(*met);
-        if (!scene_.bodies[body].motion) continue;
-        const auto met = world_.cast(ids_[body], *scene_.bodies[body].motion);
+        const scenes::SceneBody& moved = scene_.bodies[body];
+        if (moved.turn) {
+            const auto met = world_.cast(ids_[body], Motion(*moved.turn));
+            if (met) {
+                casts.push_back({body, body_of(met->body), met->contact, angle_at(*moved.turn, met->contact.time)});
+            }
+        }
+        if (!moved.motion) continue;
+        const auto met = world_.cast(ids_[body], *moved.motion);
         if (met) casts.push_back({body, body_of(met->body), met->contact});
     }
     return casts;
-}
-
-// The first body that it meets by its own turn, if it has one: of several at one time, the one with the least index.
-std::optional<MeetingAnswer> SceneWorld::cast_turning(std::size_t body) {
-    const std::optional<Turn>& turn = scene_.bodies[body].turn;
-    std::optional<MeetingAnswer> first;
-    for (std::size_t other = 0; turn && other < ids_.size(); ++other) {
-        if (other == body) continue;
-        const Posed<MeshShape> start = posed(body);
-        const auto contact = cast(Turning<MeshShape>(*start.what, start.pose, *turn), posed(other),
-                                  first ? first->contact.time : 1, memory_);
-        if (contact && (!first || contact->time < first->contact.time)) first = {body, other, *contact};
-    }
-    if (first) first->angle = angle_at(*turn, first->contact.time);
-    return first;
 }
 
 Posed<MeshShape> SceneWorld::posed_before(std::size_t body) const {

@@ -19,9 +19,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // piece is divided at once if it leaves its straight motion by more than 2^-9 of the smaller body and more than 2^-13
 // of the reach; later, if it takes more than 512 steps and one for each eight triangles, and leaves it by more than
 // 2^-18 of the reach. A piece that leaves it by 2^-18 of a length is longer than 2^-8 of this length, so some hundred
-// pieces at most are near the other body.
-constexpr double wide_part = 0x1p-9, wide_min = 0x1p-13, narrow_min = 0x1p-18, reach_min = 0x1p-30;
-constexpr std::uint64_t step_min = 512, triangles_per_step = 8;
+// pieces at most are near the other body. Of more than 2^13 triangles, each piece saves more work than it costs: the
+// way is divided at 2^-10 of the smaller body.
+constexpr double wide_part = 0x1p-9, wide_part_of_many = 0x1p-10;
+constexpr double wide_min = 0x1p-13, narrow_min = 0x1p-18, reach_min = 0x1p-30;
+constexpr std::uint64_t step_min = 512, triangles_per_step = 8, many = std::uint64_t{1} << 13;
 
 }  // namespace
 
@@ -34,7 +36,8 @@ void TurnPieces::bind_bodies(const Bodies& bodies) {
     usual_step_max_ = step_min + triangle_count / triangles_per_step;
     const double size_a = bodies.half_a.norm(), size_b = bodies.half_b.norm();
     const double reach = std::max(std::min(size_a + size_b, bodies.travel), reach_min * bodies.size);
-    wide_ = std::max(wide_part * std::min(size_a, size_b), wide_min * reach);
+    const double part = triangle_count > many ? wide_part_of_many : wide_part;
+    wide_ = std::max(part * std::min(size_a, size_b), wide_min * reach);
     narrow_ = narrow_min * reach;
 }
 
