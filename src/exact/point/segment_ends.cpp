@@ -22,7 +22,7 @@ using Point = SegmentEnds::Point;
 class EndProducts {
   public:
     EndProducts(const Pose& pose, std::span<const Vec3* const> points) noexcept : R_(pose.R), points_(points) {
-        if (std::ranges::all_of(points, [](const Vec3* v) { return is_zero(*v); })) return;
+        if (std::ranges::all_of(points, [](const Vec3* v) { return ecods::is_zero(*v); })) return;
         form_ = bind_short() ? Form::numbers : Form::terms;
         if (form_ == Form::terms) bind_terms();
     }
