@@ -91,8 +91,7 @@ class WorldTurnAllTest : public EachWorld {
         for (std::size_t i = 0; i < got.size(); ++i) {
             ASSERT_EQ(got[i].bodies, expected[i].bodies);
             ASSERT_EQ(got[i].contact.time, expected[i].contact.time);
-            EXPECT_TRUE(got[i].contact == expected[i].contact ||
-                        !are_of_one_kind(got[i].bodies.a, got[i].bodies.b));
+            EXPECT_TRUE(got[i].contact == expected[i].contact || !are_of_one_kind(got[i].bodies.a, got[i].bodies.b));
         }
     }
 

@@ -2,6 +2,7 @@
 // new poses: known times, ties, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -58,6 +59,23 @@ TEST_P(WorldTurnTest, KnownTimesAndTies) {
     EXPECT_EQ(world.cast(a, half_turn)->body, d);
     EXPECT_EQ(world.cast(a, Turn{{0, 0, 0, -1}, Vec3::Zero(), Vec3::Zero()}), std::nullopt) << "the other way";
     EXPECT_EQ(world.cast(a, Turn{{0, 0, 0, 1}, Vec3::Zero(), {0, 0, 6}}), std::nullopt) << "above it by then";
+}
+
+// The feature of the body with the lesser id comes first, whichever of the two turns.
+TEST_P(WorldTurnTest, FeaturesAreInTheOrderOfIds) {
+    for (const bool turns_second : {false, true}) {
+        const BodyId a = world.create_body(turns_second ? wall : point, Pose());
+        const BodyId b = world.create_body(turns_second ? point : wall, Pose());
+        const BodyId turning = turns_second ? b : a;
+        const auto met = world.meetings(std::vector{turning}, std::vector<Motion>{half_turn});
+        ASSERT_EQ(met.size(), 1u);
+        EXPECT_EQ(met[0].bodies, std::min(BodyPair{a, b}, BodyPair{b, a}));
+        const bool is_wall_first = (met[0].bodies.a == a) == turns_second;
+        EXPECT_EQ(met[0].contact.a.kind, is_wall_first ? Feature::Kind::edge : Feature::Kind::vertex);
+        EXPECT_EQ(met[0].contact.b.kind, is_wall_first ? Feature::Kind::vertex : Feature::Kind::edge);
+        world.destroy_body(a);
+        world.destroy_body(b);
+    }
 }
 
 // The body of the greater id is met in the first piece of the turn, the other one by the rounded time of the same.
