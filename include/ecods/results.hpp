@@ -279,8 +279,8 @@ struct BodyHit {
 // compared by their times, each rounded once; if times are equal, the least id is given. `contact.a` is a feature of
 // the moving subject, `contact.b` of `body`.
 //
-// Cost: that of BroadPhase::visit_along, or for a turn of BroadPhase::find for each of some dozens of pieces; and a cast
-// for each body whose box the way meets before the first contact.
+// Cost: that of BroadPhase::visit_along, or for a turn of BroadPhase::find for each of some dozens of pieces; and a
+// cast for each body whose box the way meets before the first contact.
 struct BodyContact {
     BodyId body;
     FirstContact contact;

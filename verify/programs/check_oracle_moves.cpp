@@ -53,13 +53,11 @@ void OracleJudge::check_meeting(const SceneWorld& world, const FrameAnswer& answ
     const auto before = [&](std::size_t body) {
         return judge::soup<MeshShape>({*world.posed(body).what, world.pose_before(body)});
     };
-    const auto way_of = [&](std::size_t body) {
-        return oracle::MovingSoup{before(body), world.pose(body)};
-    };
+    const auto way_of = [&](std::size_t body) { return oracle::MovingSoup{before(body), world.pose(body)}; };
     const auto turned = [&](std::size_t body) {
         return judge::turning_soup({*world.posed(body).what, world.pose_before(body), *world.turn(body)});
     };
-    const auto exact = !world.turn(a) ? judge::to_first_contact(oracle::first_contact(way_of(a), way_of(b)))
+    const auto exact = !world.turn(a)  ? judge::to_first_contact(oracle::first_contact(way_of(a), way_of(b)))
                        : world.turn(b) ? exact_turn(answer, turned(a), turned(b), bodies)
                                        : exact_turn(answer, turned(a), before(b), bodies);
     const auto found = contact_of(find(answer.meetings, a, b));

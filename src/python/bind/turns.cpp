@@ -105,8 +105,8 @@ void bind_turns(py::module_& m) {
     m.def("between", &between, py::arg("start"), py::arg("end"), py::arg("pivot_in_body"),
           "Turn, the short way, from one pose to another, in which a point (3,) of the body goes straight. Its end is "
           "rounded: see end_gap(). Raises InvalidArgument.");
-    m.def("pose_at", &pose_at, py::arg("start"), py::arg("turn"), py::arg("time"),
-          "The pose (4, 4) at a time, each entry rounded once. Raises InvalidArgument.");
+    m.def("pose_at", py::overload_cast<const Pose&, const Turn&, double>(&pose_at), py::arg("start"), py::arg("turn"),
+          py::arg("time"), "The pose (4, 4) at a time, each entry rounded once. Raises InvalidArgument.");
     m.def("angle_at", &angle_at, py::arg("turn"), py::arg("time"),
           "The angle in radians by which a body has turned at a time, rounded once. Raises InvalidArgument.");
     m.def("time_at", &time_at, py::arg("turn"), py::arg("angle"),

@@ -107,8 +107,8 @@ TEST_F(CheckTurns, StraightMotionsBesideATurnAreRefusedByName) {
         const std::string file = scene(moves);
         const ProgramResult result = run("--moves " + file);
         EXPECT_EQ(result.status, 2) << result.out;
-        EXPECT_EQ(result.err, "ecods_check: frame 1: " + names +
-                                  ": a body goes straight to a pose, and another one turns\n");
+        EXPECT_EQ(result.err,
+                  "ecods_check: frame 1: " + names + ": a body goes straight to a pose, and another one turns\n");
         EXPECT_EQ(run(file).status, 0) << "where bodies end is known";
     };
     const Json slide{{"body", "cart"}, {"pose", {{"t", {0, 3, 0}}}}};
