@@ -332,25 +332,13 @@ Turn turn_beside(Random& random, const TurnCase& made) {
     for (const Vec3& v : made.a->vertices()) size = std::max(size, (made.pose_a.R * v).cwiseAbs().maxCoeff());
     const double unit = size > 0 && size < 0x1p1000 ? std::ldexp(1.0, std::ilogb(size)) : 1;
     const auto point = [&](int most) { return Vec3(unit * lattice_point(random, most)); };
-    const auto moved = [](const Turn& turn, const Vec3& by) {
-        return Turn{turn.q, turn.pivot_from + by, turn.pivot_to + by};
-    };
-    switch (random.below(7)) {
-        case 0:
-            return {{double(integer(random, 1, 3)), 0, 0, 0}, made.turn.pivot_from, made.turn.pivot_from};
-        case 1:
-            return made.turn;
-        case 2:
-            return {{w, -x, -y, -z}, made.turn.pivot_from, made.turn.pivot_to};
-        case 3:
-            return moved(made.turn, point(2));
-        case 4:
-            return moved(Turn{{w, -x, -y, -z}, made.turn.pivot_from, made.turn.pivot_to}, point(2));
-        default: {
-            const Vec3 pivot = point(3);
-            return {small_quaternion(random, 2), pivot, coin(random) ? pivot : Vec3(pivot + point(2))};
-        }
-    }
+    const Turn &turn = made.turn, back{{w, -x, -y, -z}, turn.pivot_from, turn.pivot_to};
+    const Vec3 by = point(2), pivot = point(3), to = coin(random) ? pivot : Vec3(pivot + point(2));
+    const std::array<Turn, 5> turns{Turn{{double(integer(random, 1, 3)), 0, 0, 0}, turn.pivot_from, turn.pivot_from},
+                                    turn, back, Turn{turn.q, turn.pivot_from + by, turn.pivot_to + by},
+                                    Turn{back.q, turn.pivot_from + by, turn.pivot_to + by}};
+    const std::size_t kind = random.below(7);
+    return kind < turns.size() ? turns[kind] : Turn{small_quaternion(random, 2), pivot, to};
 }
 
 }  // namespace ecods::scenes
