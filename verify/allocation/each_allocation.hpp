@@ -62,6 +62,15 @@ void go_on_without(const Trial<Scene>& trial, Scene before, std::uint64_t number
     if (!found.empty()) failures.add(number, "later, without the call: " + found);
 }
 
+// Returns a stride for fail_each_allocation() with which about so many allocations of the call fail.
+template <class Scene>
+std::uint64_t stride_of(const Trial<Scene>& trial, std::uint64_t failing_count) {
+    Scene scene = trial.make();
+    const CountedAllocations counted;
+    trial.call(scene);
+    return counted.count() / failing_count + 1;
+}
+
 // For each allocation of the call: it fails once, and it and all after it fail. Each time the scene is then as one in
 // which nothing was called, and so is its future; the same call succeeds; and both that scene and its future are those
 // of one in which nothing failed. A call may also succeed in spite of the failure, with the same consequences.

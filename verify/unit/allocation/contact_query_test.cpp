@@ -121,20 +121,12 @@ const PairCall questions[] = {
      }},
 };
 
-// Returns how many allocations lie between two that fail, so that some 150 do in each trial.
-std::uint64_t stride_of(const Trial<Pair>& trial) {
-    Pair pair = trial.make();
-    const CountedAllocations counted;
-    trial.call(pair);
-    return counted.count() / 150 + 1;
-}
-
 TEST(ContactQueryOutOfMemory, EveryQuestionIsAnsweredTheNextTime) {
     for (const PairCall& question : questions) {
         Failures failures;
         for (const double distance : {0.75, 2.25}) {
             const Trial<Pair> trial = trial_of(question, distance);
-            fail_each_allocation(trial, failures, stride_of(trial));
+            fail_each_allocation(trial, failures, stride_of(trial, 150));
         }
         EXPECT_EQ(failures.defects, 0u) << question.name << "; first: " << failures.first;
     }

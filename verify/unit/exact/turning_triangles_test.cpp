@@ -7,25 +7,12 @@
 
 #include "exact/measure/distance/feature_pair.hpp"
 #include "scenes/random.hpp"
+#include "unit/exact/rational_place.hpp"
 
 namespace ecods::exact::turning_triangles_test {
 namespace {
 
-using Rational = mpq_class;
-using Place = std::array<Rational, 3>;
-
-Place operator-(const Place& a, const Place& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Place cross_of(const Place& a, const Place& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Rational dot_of(const Place& a, const Place& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Place place_of(const Vec3& v) {
-    return {v[0], v[1], v[2]};
-}
+using namespace turns_test;
 
 // A motion as the headers of turns and ways define it: the quaternion goes from `from` to (w, v), the pivot from
 // points[6] to points[7], and was at points[10] at the start of the way; and the other triangle is translated by
