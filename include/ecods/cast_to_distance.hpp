@@ -14,7 +14,7 @@
 //
 // Everything is defined for all finite poses and motions and for zero-area triangles. Bodies and threads are as in
 // intersection.hpp. Only translations are answered: there is no cast_to_distance of a straight motion between two poses
-// or of a turn, and a World does not answer it.
+// or of a turn. World::cast_to_distance() asks about all bodies of a World.
 //
 // Method: the bodies are taken for rounded ones, whose radii have the distance as sum (rounded.hpp).
 //

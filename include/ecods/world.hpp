@@ -8,8 +8,7 @@
 //
 // The world (FCL: CollisionManager; Box3D: b3World; Jolt: PhysicsSystem's queries) owns poses, shapes and boxes. A
 // change (create, destroy, set) takes effect for questions at once, and for the lists at the next update(). No other
-// call is needed to keep answers right. The world does not move bodies, respond to contacts, or draw. For its costs,
-// see statistics.hpp.
+// call is needed to keep answers right. The world does not move bodies, respond to contacts, or draw. (statistics.hpp)
 //
 // Lifetimes: a span is valid until the next call that is not const; all other results are returned by value. Arguments
 // may be spans that the world returned. A world that was moved from can be assigned to and destroyed; is_alive()
@@ -97,7 +96,7 @@ class ECODS_API World {
 
     void reserve(std::size_t body_count);  // memory for so many bodies altogether: creating them moves nothing
 
-    // ---- the clearance
+    // ---- the clearance, and relations
 
     // Sets the greatest distance of close_pairs(); nullopt: no pair is close. The next update applies it, and reports
     // the events of the change. Real distances are compared, not rounded ones. (FCL: security margin; Bullet: contact
@@ -107,11 +106,8 @@ class ECODS_API World {
     void set_clearance(std::optional<double> clearance);
     std::optional<double> clearance() const;  // set last
 
-    // ---- relations
-
     // Sets whether updates from the next one on make relations(); false at first. Throws NotSupported if a test that
-    // bodies here need does not answer `relation`. While updates make relations(), create_body, set_shape and set_test
-    // throw NotSupported for that reason, too.
+    // bodies here need does not answer `relation`; while it is set, so do create_body(), set_shape() and set_test().
     void set_relations(bool are_listed);
     bool are_relations_listed() const;  // set last
 
@@ -291,6 +287,11 @@ class ECODS_API World {
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Motion& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
+    // Returns the body that the subject, so translated, is first within `distance` of (cast_to_distance.hpp, with its
+    // errors). Throws NotSupported unless it and all that it may meet are meshes or rounded bodies. In no trace.
+    [[nodiscard]] std::optional<BodyContact> cast_to_distance(const Asked& subject, const Vec3& motion, double distance,
+                                                              double max_time = 1, const Ask& ask = {}) const;
+
     // Returns the body that the subject, so translated, enters first (cast.hpp), by rounded times, then ids. Throws
     // NotSupported unless it and all that it may meet are surfaces, or all solids with inner points. In no trace.
     [[nodiscard]] std::optional<BodyEntry> entering(const Asked& subject, const Vec3& motion,
@@ -323,8 +324,7 @@ class ECODS_API World {
 
     // ---- inspection
 
-    // Returns colliding_pairs() and close_pairs() with a proof that both lists are right (certificate.hpp). Throws
-    // NotUpdated, NotSupported.
+    // Returns colliding_pairs() and close_pairs() with a proof (certificate.hpp). Throws NotUpdated, NotSupported.
     WorldCertificate certify(const Ask& ask = {}) const;
     Statistics statistics() const;
 

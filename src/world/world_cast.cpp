@@ -7,9 +7,12 @@
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "geometry/find_invalid.hpp"
+#include "query/body/rounded_pair.hpp"
 #include "query/cast/turn_boxes.hpp"
 #include "query/intersection/asking.hpp"
+#include "world/enlarged.hpp"
 #include "world/least.hpp"
+#include "world/rounded_test.hpp"
 #include "world/way_box.hpp"
 #include "world/world_impl.hpp"
 
@@ -81,6 +84,34 @@ std::optional<BodyContact> World::cast(const Asked& asked, const Vec3& motion, d
     const auto found = first.answer(w.bodies);
     const BodyId* const body = std::get_if<BodyId>(&asked.what());
     return body != nullptr && !subject.filter ? w.traced<calls::Cast>(ask, found, *body, motion, max_time) : found;
+}
+
+std::optional<BodyContact> World::cast_to_distance(const Asked& asked, const Vec3& motion, double distance,
+                                                   double max_time, const Ask& ask) const {
+    const Impl& w = impl();
+    const Subject subject = w.subject_of(asked);
+    require_finite_distance(distance);
+    FirstMet first = first_met(motion, max_time);
+    const auto with_radius = [](const Posed<Shape>& posed) {
+        const auto result = core_and_radius(posed);
+        if (!result) throw NotSupported(Question::cast, posed.what->kind(), ShapeKind::mesh());
+        return *result;
+    };
+    const CoreAndRadius mover = with_radius(subject.posed);
+    for (ProxyIndex proxy = 0; proxy < w.bodies.end(); ++proxy) {
+        if (w.bodies[proxy].is_alive() && !w.passes_over(subject, proxy)) with_radius(w.bodies[proxy].posed());
+    }
+    Asking asking(ask);
+    // The box is larger by the distance on all sides.
+    const Aabb box = enlarged(w.box_of(subject), 2 * distance);
+    w.broad_phase.visit_along(box, motion, first.bound(), [&](ProxyIndex proxy) {
+        if (w.passes_over(subject, proxy)) return first.bound();
+        return first.take(proxy, [&](double limit) {
+            return RoundedPair{mover, with_radius(w.bodies[proxy].posed())}.cast(motion, distance, limit,
+                                                                                 asking.memory());
+        });
+    });
+    return first.answer(w.bodies);
 }
 
 // Asks each body once, up to the end of the motion, when the first piece of the way may meet it.
