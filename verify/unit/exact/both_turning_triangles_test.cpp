@@ -17,7 +17,12 @@
 namespace ecods::exact::both_turning_triangles_test {
 namespace {
 
-using namespace turns_test;
+using turns_test::cross_of;
+using turns_test::dot_of;
+using turns_test::operator-;
+using turns_test::Place;
+using turns_test::place_of;
+using turns_test::Rational;
 
 // A turn as its header defines it: q is (w, v), and the pivot goes from one point to another.
 struct OneTurn {

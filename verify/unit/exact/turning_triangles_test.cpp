@@ -12,7 +12,12 @@
 namespace ecods::exact::turning_triangles_test {
 namespace {
 
-using namespace turns_test;
+using turns_test::cross_of;
+using turns_test::dot_of;
+using turns_test::operator-;
+using turns_test::Place;
+using turns_test::place_of;
+using turns_test::Rational;
 
 // A motion as the headers of turns and ways define it: the quaternion goes from `from` to (w, v), the pivot from
 // points[6] to points[7], and was at points[10] at the start of the way; and the other triangle is translated by

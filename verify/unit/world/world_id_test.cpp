@@ -274,7 +274,7 @@ TEST(WorldId, NoneIsAliveInAWorldThatWasMovedFrom) {
     EXPECT_THROW(static_cast<void>(world.intersecting_bodies({cube, at(0)})), MovedFromWorld);
     EXPECT_THROW(static_cast<void>(world.all_hits(std::vector<Segment>())), MovedFromWorld);
     EXPECT_THROW(static_cast<void>(world.all_hits(std::vector<Ray>())), MovedFromWorld);
-    EXPECT_THROW(static_cast<void>(world.meetings({}, {})), MovedFromWorld);
+    EXPECT_THROW(static_cast<void>(world.meetings({}, std::span<const Pose>())), MovedFromWorld);
     EXPECT_THROW(world.trace_to(out), MovedFromWorld);
     EXPECT_THROW(world.end_trace(), MovedFromWorld);
     EXPECT_THROW(world.statistics(), MovedFromWorld);

@@ -13,7 +13,7 @@
 namespace ecods::exact {
 namespace {
 
-using Vector = RelativePosition::Vector;
+using Numerators = RelativePosition::Vector;
 
 // A polynomial of any degree, from the constant coefficient on.
 using LongPolynomial = std::vector<Integer>;
@@ -75,7 +75,7 @@ class NumbersAtRoot {
         return sign_num * sign_den < 0 ? opposite(size) : size;
     }
     // Returns f / |f|.
-    Vec3 direction(const Vector& f) {
+    Vec3 direction(const Numerators& f) {
         LongPolynomial length;
         std::array<LongPolynomial, 3> squares;
         ScaledLongVector near;
@@ -136,7 +136,7 @@ class NumbersAtRoot {
     BinaryFraction near_;
 };
 
-const Polynomial* first_not_zero(const Vector& v) noexcept {
+const Polynomial* first_not_zero(const Numerators& v) noexcept {
     for (const Polynomial& p : v) {
         if (!p.is_zero()) return &p;
     }
@@ -147,7 +147,7 @@ const Polynomial* first_not_zero(const Vector& v) noexcept {
 // edges. The zero polynomial says nothing.
 Polynomial vanishing(RelativePosition& triangles, const FeaturePair& f) {
     const std::size_t side = f.vertex_side;
-    Vector coordinates;
+    Numerators coordinates;
     switch (f.kind) {
         case FeatureKind::vertex_face:
             return triangles.corner_volume(side, f.corner(side));
@@ -163,22 +163,22 @@ Polynomial vanishing(RelativePosition& triangles, const FeaturePair& f) {
     return found == nullptr ? Polynomial() : *found;
 }
 
-Vector plus(const Vector& a, const Vector& b) {
+Numerators plus(const Numerators& a, const Numerators& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
 // Returns the cross product of the first triangle's edge and the second's.
-Vector across(RelativePosition& triangles, const FeaturePair& f) {
-    const Vector first = triangles.turn({1, f.b, f.a}), second = triangles.turn({1, next_corner(f.b), f.a});
+Numerators across(RelativePosition& triangles, const FeaturePair& f) {
+    const Numerators first = triangles.turn({1, f.b, f.a}), second = triangles.turn({1, next_corner(f.b), f.a});
     return {second[0] - first[0], second[1] - first[1], second[2] - first[2]};
 }
 
 Vec3 point_at(RelativePosition& triangles, const SecondCorners& second, const FeaturePair& f, NumbersAtRoot& numbers) {
     const Polynomial one(Integer(std::int64_t{1}), {});
-    const Vector& y = second.at[f.has_vertex(1) ? f.b : f.kind == FeatureKind::edge_edge ? f.b : 0];
+    const Numerators& y = second.at[f.has_vertex(1) ? f.b : f.kind == FeatureKind::edge_edge ? f.b : 0];
     Vec3 point;
     std::size_t axis = 0;
-    Vector turn, n;
+    Numerators turn, n;
     if (f.kind == FeatureKind::edge_edge) {
         turn = triangles.turn({1, f.b, f.a});
         n = across(triangles, f);
@@ -201,7 +201,7 @@ Vec3 point_at(RelativePosition& triangles, const SecondCorners& second, const Fe
 // Returns the normal of a face or of two edges, from the first to the second triangle.
 Vec3 normal_at(RelativePosition& triangles, const FeaturePair& f, NumbersAtRoot& numbers) {
     int sign = numbers.sign_before();
-    Vector n;
+    Numerators n;
     if (f.kind == FeatureKind::edge_edge) {
         n = across(triangles, f);
     } else {
