@@ -34,6 +34,14 @@ class FirstMet {
         if (contact && least_.take(proxy, contact->time)) contact_ = *contact;
         return least_.bound();
     }
+    // Offers the bodies that the box, translated, may meet, earliest first. `ask(slot, max_time)` is as above.
+    template <class World, class Function>
+    void visit(const World& world, const Subject& subject, const Aabb& box, const Vec3& motion, const Function& ask) {
+        world.broad_phase.visit_along(box, motion, bound(), [&](ProxyIndex proxy) {
+            if (world.passes_over(subject, proxy)) return bound();
+            return take(proxy, [&](double max_time) { return ask(world.bodies[proxy], max_time); });
+        });
+    }
     double bound() const noexcept { return least_.bound(); }
     std::optional<BodyContact> answer(const Bodies& bodies) const {
         if (!least_.has_name()) return std::nullopt;
@@ -73,13 +81,9 @@ std::optional<BodyContact> World::cast(const Asked& asked, const Vec3& motion, d
     FirstMet first = first_met(motion, max_time);
     w.require_tests_for(subject, Question::cast);
     Asking asking(ask);
-    w.broad_phase.visit_along(w.box_of(subject), motion, first.bound(), [&](ProxyIndex proxy) {
-        if (w.passes_over(subject, proxy)) return first.bound();
-        const Slot& slot = w.bodies[proxy];
-        return first.take(proxy, [&](double limit) {
-            const OrderedTest test = w.tests.find(subject.kind(), slot.kind);
-            return cast_of(test, subject.posed, motion, slot.posed(), limit, asking.memory());
-        });
+    first.visit(w, subject, w.box_of(subject), motion, [&](const Slot& slot, double limit) {
+        const OrderedTest test = w.tests.find(subject.kind(), slot.kind);
+        return cast_of(test, subject.posed, motion, slot.posed(), limit, asking.memory());
     });
     const auto found = first.answer(w.bodies);
     const BodyId* const body = std::get_if<BodyId>(&asked.what());
@@ -102,14 +106,9 @@ std::optional<BodyContact> World::cast_to_distance(const Asked& asked, const Vec
         if (w.bodies[proxy].is_alive() && !w.passes_over(subject, proxy)) with_radius(w.bodies[proxy].posed());
     }
     Asking asking(ask);
-    // The box is larger by the distance on all sides.
-    const Aabb box = enlarged(w.box_of(subject), 2 * distance);
-    w.broad_phase.visit_along(box, motion, first.bound(), [&](ProxyIndex proxy) {
-        if (w.passes_over(subject, proxy)) return first.bound();
-        return first.take(proxy, [&](double limit) {
-            return RoundedPair{mover, with_radius(w.bodies[proxy].posed())}.cast(motion, distance, limit,
-                                                                                 asking.memory());
-        });
+    const Aabb box = enlarged(enlarged(w.box_of(subject), distance), distance);  // by the distance on all sides
+    first.visit(w, subject, box, motion, [&](const Slot& slot, double limit) {
+        return RoundedPair{mover, with_radius(slot.posed())}.cast(motion, distance, limit, asking.memory());
     });
     return first.answer(w.bodies);
 }

@@ -67,7 +67,14 @@ std::optional<double> RoundedMotion::first(double last) const {
         is_before(middle_above(middle)) ? low = middle + 1 : high = middle;
     }
     const double time = std::bit_cast<double>(low);
-    if (is_near(middle_above(low)) || is_near(exactly(time))) return time;
+    // The real times that round to this double: the triangles may be near in a part of them alone.
+    mpq_class from = low == 0 ? mpq_class(0) : middle_above(low - 1), to = middle_above(low);
+    if (to > exactly(last)) to = exactly(last);
+    for (int i = 0; i < 120; ++i) {
+        if (is_near(to)) return time;
+        const mpq_class middle = (from + to) / 2;
+        is_before(middle) ? from = middle : to = middle;
+    }
     return std::nullopt;
 }
 

@@ -129,8 +129,7 @@ std::optional<FirstContact> settle(const Turning<MeshShape>& a, const Pose& to, 
 
 std::optional<FirstContact> settle(const Way<MeshShape>& a, const Pose& to, const Posed<MeshShape>& b, const Ask& ask) {
     validate(a.nodes);
-    const std::size_t last = a.nodes.size() - 1;
-    return settle_on({*a.what, a.pose}, leg_of(a.pose, a.nodes[0], a.nodes[last - 1], a.nodes[last]), to, b, ask);
+    return settle_on({*a.what, a.pose}, leg_of(a.pose, a.nodes, last_leg(a.nodes)), to, b, ask);
 }
 
 }  // namespace ecods

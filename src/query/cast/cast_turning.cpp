@@ -33,8 +33,8 @@ std::optional<FirstContact> search_turn(const Turning<MeshShape>& a, const Vec3&
 // A leg that is not the first one begins where the bodies are known to share no point: at time 1 of the leg before.
 std::optional<WayContact> search_way(const Posed<MeshShape>& a, std::span<const WayNode> nodes,
                                      const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
-    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-        const TurnLeg leg = leg_of(a.pose, nodes[0], nodes[k], nodes[k + 1]);
+    for (std::size_t k = 0; k <= last_leg(nodes); ++k) {
+        const TurnLeg leg = leg_of(a.pose, nodes, k);
         const auto contact = search_leg(*a.what, leg, b, 1, k > 0, memory, witness);
         if (contact) return WayContact{k, *contact};
     }

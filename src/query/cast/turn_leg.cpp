@@ -58,8 +58,13 @@ TurnLeg leg_of(const Pose& start, const Turn& turn, const Vec3& motion) {
     return {start, turn.pivot_from, Quaternion(), turn.q, turn.pivot_from, turn.pivot_to, motion};
 }
 
-TurnLeg leg_of(const Pose& start, const WayNode& first, const WayNode& from, const WayNode& to) {
-    return {start, first.pivot, from.q, to.q, from.pivot, to.pivot};
+TurnLeg leg_of(const Pose& start, std::span<const WayNode> nodes, std::size_t leg) {
+    const WayNode &from = nodes[leg], &to = nodes[leg + 1];
+    return {start, nodes[0].pivot, from.q, to.q, from.pivot, to.pivot};
+}
+
+std::size_t last_leg(std::span<const WayNode> nodes) noexcept {
+    return nodes.size() - 2;
 }
 
 TriangleCorners corners_of(const Mesh& a, std::uint32_t triangle_a, const Mesh& b, std::uint32_t triangle_b) noexcept {

@@ -25,7 +25,10 @@ struct TurnLeg {
 
 // A turn is a leg that begins at 1.
 TurnLeg leg_of(const Pose& start, const Turn& turn, const Vec3& motion = Vec3::Zero());
-TurnLeg leg_of(const Pose& start, const WayNode& first, const WayNode& from, const WayNode& to);
+
+// Returns a leg of a way, from 0 to last_leg(). There must be at least two nodes.
+TurnLeg leg_of(const Pose& start, std::span<const WayNode> nodes, std::size_t leg);
+std::size_t last_leg(std::span<const WayNode> nodes) noexcept;
 
 // Names three vertices of each of two meshes.
 struct TriangleCorners {

@@ -54,7 +54,7 @@ Pose pose_at(const Pose& pose, std::span<const WayNode> nodes, std::size_t leg, 
     validate(nodes);
     if (!is_from_zero(time) || key_of(time) > key_of(1.0)) throw invalid_time(time);
     if (leg + 1 >= nodes.size()) throw invalid_turn("nodes", static_cast<double>(leg));
-    return pose_less(leg_of(pose, nodes[0], nodes[leg], nodes[leg + 1]), time, {Mat3::Zero(), Vec3::Zero()});
+    return pose_less(leg_of(pose, nodes, leg), time, {Mat3::Zero(), Vec3::Zero()});
 }
 
 }  // namespace ecods

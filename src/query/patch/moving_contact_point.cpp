@@ -122,7 +122,7 @@ ContactPoint contact_point(const Way<MeshShape>& a, const Posed<MeshShape>& b, c
     if (met.leg + 1 >= a.nodes.size() || (met.leg > 0 && !is_after_start)) {
         throw NotSupported("contact_point: the way has no such contact on this leg");
     }
-    const TurnLeg leg = leg_of(a.pose, a.nodes[0], a.nodes[met.leg], a.nodes[met.leg + 1]);
+    const TurnLeg leg = leg_of(a.pose, a.nodes, met.leg);
     return answer({*a.what, a.pose}, b, met.contact, ask,
                   [&](const auto& features) { return find_place(leg, *a.what, b, met.contact, features); });
 }

@@ -104,7 +104,7 @@ TEST(TraceQuestions, HitsOfManyLinesAreWrittenLineByLine) {
     world.trace_to(trace, {.questions = true});
     const std::vector<Segment> segments(3, {Vec3(-2, 0.25, 0.125), Vec3(8, 0.25, 0.125)});
     EXPECT_EQ(world.all_hits(segments).hits.size(), 6u);
-    const std::vector<Ray> rays(2, {.origin = Vec3(9, 0, 0), .direction = Vec3(-1, 0, 0)});
+    const std::vector<Ray> rays(2, {.origin = Vec3(9, 0.25, 0.125), .direction = Vec3(-1, 0, 0)});
     EXPECT_EQ(world.all_hits(rays).hits.size(), 4u);
     QueryMemory memory;
     EXPECT_EQ(world.all_hits(rays, {}, memory).hits.size(), 4u);
