@@ -13,7 +13,8 @@ sys.path.pop(0)  # this file's folder, where the package lacks its module
 import ecods  # noqa: E402
 from ecods.refusals import split  # noqa: E402
 
-TAKEN = {"numpy.ndarray": "ArrayLike", "object": "ArrayLike", "Posed": "Posed | Mesh",
+TAKEN = {"numpy.ndarray": "ArrayLike", "object": "ArrayLike",
+         "tuple[float, float, float, float]": "ArrayLike", "Posed": "Posed | Mesh",
          "PosedRounded": "PosedRounded | Rounded", "PosedHalfSpace": "PosedHalfSpace | HalfSpace",
          "int | Posed | PosedRounded | PosedHalfSpace":
              "int | Posed | Mesh | PosedRounded | Rounded | PosedHalfSpace | HalfSpace"}

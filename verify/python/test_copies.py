@@ -16,6 +16,8 @@ SURFACE = ecods.surface_of(CUBE)
 NEAR = CUBE.at(ecods.pose(t=(0.75, 0, 0)))
 FAR = ecods.pose(t=(3, 0, 0))
 
+WAY = ecods.Way(CUBE, FAR, [ecods.WayNode((1, 0, 0, 0)), ecods.WayNode((0, 0, 0.1, 1), (1, 2, 3)), ecods.WayNode((-1, 0, 0, 0))])
+
 
 def world(shape=CUBE):
     made = ecods.World("sweep_and_prune", threads=2)
@@ -65,6 +67,11 @@ MAKERS = {
     "Deforming": lambda: ecods.Deforming(MESH, MESH.vertices + 1),
     "Turn": lambda: ecods.about([0, 0, 1], 0.1, [1, 2, 3]),
     "Turning": lambda: CUBE.turning(FAR, ecods.Turn([1, 0, 0, 0.5], [0, 0, 0], [0, 0, 1])),
+    "Translation": lambda: ecods.Translation([0.1, 0, -2]),
+    "Straight": lambda: ecods.Straight(FAR),
+    "WayNode": lambda: WAY.nodes[1],
+    "Way": lambda: WAY,
+    "WayContact": lambda: ecods.cast(WAY, NEAR.mesh.at(FAR)),
     "Rounded": lambda: ecods.rounded(CUBE, 0.5),
     "HalfSpace": lambda: ecods.HalfSpace([1, 2, 3], -0.5),
     "PosedHalfSpace": lambda: ecods.HalfSpace([0, 0, 1], 2).at(FAR),

@@ -13,6 +13,8 @@ void bind_builders(pybind11::module_& m);
 void bind_results(pybind11::module_& m);
 void bind_pair_questions(pybind11::module_& m);
 void bind_turns(pybind11::module_& m);
+void bind_motions(pybind11::module_& m);
+void bind_ways(pybind11::module_& m);
 void bind_rounded(pybind11::module_& m);
 void bind_half_spaces(pybind11::module_& m);
 void bind_contacts(pybind11::module_& m);

@@ -7,12 +7,14 @@
 //     Vec3                an array (3,)
 //     Pose                an array (4, 4); as an argument also (3, 4), or None
 //     Aabb                an array (2, 3)
+//     Quaternion          a tuple (w, x, y, z); as an argument any four numbers
 //     an enum             a member of Python's enum.IntEnum; as an argument also the member's name
 #pragma once
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -87,6 +89,15 @@ inline py::object from_kind(ShapeKind kind) {
 
 inline Vec3 to_point(py::handle value) {
     return to_vec3(value, "point or vector");
+}
+
+inline Quaternion to_quaternion(py::handle value) {
+    constexpr std::array<py::ssize_t, 1> four = {4};
+    const Doubles numbers = exact_doubles(value, "quaternion", four);
+    return {numbers.at(0), numbers.at(1), numbers.at(2), numbers.at(3)};
+}
+inline py::object from_quaternion(const Quaternion& q) {
+    return py::make_tuple(q.w, q.x, q.y, q.z);
 }
 
 // Returns the value of a member of the enum, or of a member's name; nullopt for other objects.
@@ -185,6 +196,8 @@ ECODS_PYTHON_VALUE(ecods::TrianglePair, "Tuple[int, int]", ecods::python::to_pai
 ECODS_PYTHON_VALUE(ecods::ShapeKind, "int", ecods::python::to_kind, ecods::python::from_kind);
 ECODS_PYTHON_VALUE(ecods::Pose, "numpy.ndarray", ecods::python::to_pose, ecods::python::from_pose);
 ECODS_PYTHON_VALUE(ecods::Aabb, "numpy.ndarray", ecods::python::to_box, ecods::python::from_box);
+ECODS_PYTHON_VALUE(ecods::Quaternion, "Tuple[float, float, float, float]", ecods::python::to_quaternion,
+                   ecods::python::from_quaternion);
 #undef ECODS_PYTHON_VALUE
 
 // Refuses objects of the module's own classes as points, so that a function may take a point or a body in one place.

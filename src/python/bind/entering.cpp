@@ -19,7 +19,8 @@ void bind_entering(py::module_& m) {
                Field{"body", &BodyEntry::body, "The body's id."}, Field{"entry", &BodyEntry::entry, "The FirstEntry."});
     add_record(m, "ContactPoint", "The point and the normal of a FirstContact.",
                Field{"point", &ContactPoint::point, "(3,) float64, each coordinate rounded once."},
-               Field{"normal", &ContactPoint::normal, "Unit vector (3,) from a to b; None for a contact at time 0."});
+               Field{"normal", &ContactPoint::normal,
+                     "Unit vector (3,) from a to b; None for a contact at time 0, and where contact_point() says so."});
     const py::arg a("a"), motion("motion"), b("b");
     m.def(
         "entering", asked<PosedMesh, Vec3, PosedMesh, double>(ECODS_QUESTION(entering)), a, motion, b,
@@ -35,6 +36,17 @@ void bind_entering(py::module_& m) {
     m.def("contact_point", asked<PosedMesh, Vec3, PosedMesh, FirstContact>(ECODS_QUESTION(contact_point)), a, motion, b,
           py::arg("contact"),
           "ContactPoint of a FirstContact that cast(a, motion, b) returned. Raises NotSupported for another contact.");
+    const py::arg contact("contact");
+    m.def("contact_point", asked<Turning<MeshShape>, PosedMesh, FirstContact>(ECODS_QUESTION(contact_point)), a, b,
+          contact,
+          "The same of a body that turns and b, which stays. The normal is that at the exact time; None unless the "
+          "features are a vertex and a face, or two edges.");
+    m.def("contact_point", asked<Turning<MeshShape>, Vec3, PosedMesh, FirstContact>(ECODS_QUESTION(contact_point)), a,
+          py::arg("motion_of_b"), b, contact, "The same, where b is translated by time times motion_of_b (3,).");
+    m.def("contact_point", asked<Way<MeshShape>, PosedMesh, WayContact>(ECODS_QUESTION(contact_point)), py::arg("way"),
+          b, contact, "The same of a body on a Way, and the WayContact of its cast.");
+    m.def("contact_point", asked<MovingMesh, MovingMesh, FirstContact>(ECODS_QUESTION(contact_point)), a, b, contact,
+          "The same of two bodies that each go from one pose to another.");
 }
 
 }  // namespace ecods::python

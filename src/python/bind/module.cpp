@@ -13,6 +13,8 @@ PYBIND11_MODULE(_ecods, m) {
     bind_results(m);
     bind_pair_questions(m);
     bind_turns(m);
+    bind_motions(m);
+    bind_ways(m);
     bind_line_questions(m);
     bind_solid_questions(m);
     bind_hit_sides(m);

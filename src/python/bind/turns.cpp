@@ -1,32 +1,20 @@
 // Binds turn.hpp: turns, bodies that turn, and their casts.
 #include "ecods/turn.hpp"
 
-#include <array>
-
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
+#include "python/bind/record.hpp"
 #include "python/bind/shapes.hpp"
 
 namespace ecods::python {
 namespace {
 
 using TurningMesh = Turning<MeshShape>;
-using Components = std::array<double, 4>;  // w, x, y, z
 
-Turn make_turn(const Components& q, const Vec3& from, const Vec3& to) {
-    const Turn turn{{q[0], q[1], q[2], q[3]}, from, to};
+Turn make_turn(const Quaternion& q, const Vec3& from, const Vec3& to) {
+    const Turn turn{q, from, to};
     validate(turn);
     return turn;
-}
-
-py::tuple numbers_of(const Turn& turn) {
-    return py::make_tuple(turn.q.w, turn.q.x, turn.q.y, turn.q.z);
-}
-
-std::string turn_text(const Turn& turn) {
-    const auto point = [](const Vec3& v) { return std::string(py::repr(py::cast(v).attr("tolist")())); };
-    return "Turn(q=" + std::string(py::repr(numbers_of(turn))) + ", pivot_from=" + point(turn.pivot_from) +
-           ", pivot_to=" + point(turn.pivot_to) + ")";
 }
 
 TurningMesh make_turning(std::shared_ptr<MeshShape> mesh, const Pose& start, const Turn& turn) {
@@ -39,25 +27,15 @@ std::shared_ptr<MeshShape> turning_mesh(const TurningMesh& turning) {
 }
 
 void add_turn(py::module_& m) {
-    py::class_<Turn> type(m, "Turn",
-                          "A rigid motion in the time from 0 to 1: a body turns by q about a pivot that goes straight "
-                          "from one point of the world to another.");
-    type.def(py::init(&make_turn), py::arg("q"), py::arg("pivot_from"), py::arg("pivot_to"),
+    add_record(
+        m, "Turn",
+        "A rigid motion in the time from 0 to 1: a body turns by q about a pivot that goes straight from one point "
+        "of the world to another.",
+        Field{"q", &Turn::q, "The quaternion (w, x, y, z)."}, Field{"pivot_from", &Turn::pivot_from, "(3,) float64."},
+        Field{"pivot_to", &Turn::pivot_to, "(3,) float64."})
+        .def(py::init(&make_turn), py::arg("q"), py::arg("pivot_from"), py::arg("pivot_to"),
              "Makes a turn by the quaternion q = (w, x, y, z), of any length. Raises InvalidArgument for numbers that "
              "are not finite, and for whole turns.");
-    type.def_property_readonly("q", &numbers_of, "The quaternion (w, x, y, z).");
-    type.def_property_readonly(
-        "pivot_from", [](const Turn& self) { return self.pivot_from; }, "(3,) float64.");
-    type.def_property_readonly(
-        "pivot_to", [](const Turn& self) { return self.pivot_to; }, "(3,) float64.");
-    type.def(
-        "__eq__", [](const Turn& self, const Turn& other) { return self == other; }, py::is_operator());
-    type.def("__repr__", &turn_text);
-    type.def(
-        py::pickle([](const Turn& self) { return py::make_tuple(numbers_of(self), self.pivot_from, self.pivot_to); },
-                   [](const py::tuple& state) {
-                       return make_turn(state[0].cast<Components>(), state[1].cast<Vec3>(), state[2].cast<Vec3>());
-                   }));
 }
 
 void add_turning(py::module_& m) {
@@ -70,7 +48,7 @@ void add_turning(py::module_& m) {
     type.def_readonly("turn", &TurningMesh::turn);
     type.def("__repr__", [](const TurningMesh& self) {
         return "Turning(" + std::string(py::repr(py::cast(turning_mesh(self)))) + ", " + pose_text("start", self.pose) +
-               ", " + turn_text(self.turn) + ")";
+               ", " + std::string(py::repr(py::cast(self.turn))) + ")";
     });
     type.def(
         py::pickle([](const TurningMesh& self) { return py::make_tuple(turning_mesh(self), self.pose, self.turn); },
@@ -99,6 +77,12 @@ void bind_turns(py::module_& m) {
           "The same, where b is translated by time times motion_of_b (3,).");
     m.def("cast", asked_with_witness<TurningMesh, TurningMesh, double>(ECODS_QUESTION(cast)), py::arg("a"),
           py::arg("b"), max_time, witness, "The same of two bodies that turn, each by a turn of its own.");
+    m.def("settle", asked_with_witness<TurningMesh, Pose, PosedMesh>(ECODS_QUESTION(settle)), py::arg("turning"),
+          py::arg("to"), py::arg("b"), witness,
+          "FirstContact with b on the straight way from the real end of a turn to the pose `to`, from which the body "
+          "is to "
+          "go on; None if that gap is free. The time is that on this way. Triangles alone are asked. Exact. Raises "
+          "InvalidArgument.");
     m.def("about", &about, py::arg("axis"), py::arg("angle"), py::arg("pivot"),
           "Turn by an angle in radians about an axis (3,) through a pivot (3,), which stays: a hinge, or a joint of a "
           "robot. Raises InvalidArgument.");

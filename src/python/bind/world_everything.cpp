@@ -75,6 +75,31 @@ void add_hits(WorldClass& type, const py::arg_v& filter) {
              "All hits of a Segment or Ray: a list of BodyHit, by real parameter.");
 }
 
+// Binds motions first: a list of them is never an array of poses, and an object that is no such list may be one.
+void add_meetings(WorldClass& type) {
+    type.def(
+        "meetings",
+        [](const SharedWorld& self, const py::object& bodies, const std::vector<Motion>& motions) {
+            const auto ids = to_bodies(bodies);
+            return self.read([&](const World& world) { return world.meetings(ids, motions); });
+        },
+        py::arg("bodies"), py::arg("motions"),
+        "All pairs that meet while each of these bodies (k,) moves by its Translation, Straight or Turn, in a list, "
+        "and "
+        "the others stay: a list of Meeting, by time. Raises NotSupported if one is Straight and another one is not, "
+        "StaleBody, InvalidArgument.");
+    type.def(
+        "meetings",
+        [](const SharedWorld& self, const py::object& bodies, const py::object& poses) {
+            const auto ids = to_bodies(bodies);
+            const auto places = to_poses(poses, ids);
+            return self.read([&](const World& world) { return world.meetings(ids, places); });
+        },
+        py::arg("bodies"), py::arg("poses"),
+        "All pairs that meet while these bodies go to new poses (k, 4, 4), each point straight from its old place to "
+        "its new one. Raises as set_poses() does.");
+}
+
 void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
     type.def(
         "cast",
@@ -84,6 +109,15 @@ void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
         what, py::arg("motion"), py::arg("max_time") = 1.0, filter,
         "BodyContact: what a body, a Mesh or a Posed meets first while it is translated by time times motion (3,), up "
         "to max_time, or None. Nothing moves. Raises InvalidArgument.");
+    type.def(
+        "cast",
+        [](const SharedWorld& self, const Subject& subject, const Motion& motion, double most, const Filter& only) {
+            return self.read([&](const World& world) { return world.cast(to_asked(subject, only), motion, most); });
+        },
+        what, py::arg("motion"), py::arg("max_time") = 1.0, filter,
+        "The same while it moves by a Translation, a Straight or a Turn. Raises NotSupported for the last two unless "
+        "it "
+        "and all that it may meet are meshes or Solids.");
     type.def(
         "entering",
         [](const SharedWorld& self, const Subject& subject, const Vec3& motion, const Filter& only) {
@@ -101,16 +135,7 @@ void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
         what, py::arg("motion"), py::arg("contact"),
         "ContactPoint of a BodyContact that cast() of these arguments returned. Raises NotSupported for other shapes "
         "than meshes and solids.");
-    type.def(
-        "meetings",
-        [](const SharedWorld& self, const py::object& bodies, const py::object& poses) {
-            const auto ids = to_bodies(bodies);
-            const auto places = to_poses(poses, ids);
-            return self.read([&](const World& world) { return world.meetings(ids, places); });
-        },
-        py::arg("bodies"), py::arg("poses"),
-        "All pairs that meet while these bodies (k,) go to new poses (k, 4, 4), each point straight from its old place "
-        "to its new one, and the others stay: a list of Meeting, by time. Raises as set_poses() does.");
+    add_meetings(type);
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// Binds motion.hpp: how one body moves; and the cast of two bodies that each move in a way of their own.
+#include "ecods/motion.hpp"
+
+#include "ecods/turn.hpp"
+#include "python/bind/ask.hpp"
+#include "python/bind/bind.hpp"
+#include "python/bind/record.hpp"
+#include "python/bind/shapes.hpp"
+
+namespace ecods::python {
+namespace {
+
+template <class OneMotion>
+OneMotion valid_motion(const OneMotion& motion) {
+    validate(Motion(motion));
+    return motion;
+}
+
+}  // namespace
+
+void bind_motions(py::module_& m) {
+    add_record(m, "Translation", "A motion in the time from 0 to 1: a body is translated by time times a vector.",
+               Field{"by", &Translation::by, "(3,) float64."})
+        .def(py::init([](const Vec3& by) { return valid_motion(Translation{by}); }),
+             py::arg("by") = py::make_tuple(0, 0, 0),
+             "Translation() is the motion of a body that stays. Raises InvalidArgument.");
+    add_record(m, "Straight",
+               "A motion in the time from 0 to 1: each point of a body goes straight to its place at another pose, so "
+               "that a body that turns is not rigid on its way. A Turn keeps it rigid.",
+               Field{"to", &Straight::to, "(4, 4) float64."})
+        .def(py::init([](const Pose& to) { return valid_motion(Straight{to}); }), py::arg("to"),
+             "Goes to a pose (4, 4) or (3, 4). Raises InvalidArgument.");
+    m.def(
+        "cast", asked_with_witness<PosedMesh, Motion, PosedMesh, Motion, double>(ECODS_QUESTION(cast)), py::arg("a"),
+        py::arg("motion_of_a"), py::arg("b"), py::arg("motion_of_b"), py::arg("max_time") = 1.0,
+        py::arg("witness") = py::none(),
+        "FirstContact of two bodies that each move by a Translation, a Straight or a Turn; None if there is none up to "
+        "max_time. Exact. Raises NotSupported if one is Straight and the other one is not, InvalidArgument.");
+}
+
+}  // namespace ecods::python
