@@ -93,6 +93,23 @@ def test_a_cast_in_a_world():
     assert world.cast(POINT, ecods.Translation((-4, 8, 0))).body == target
 
 
+def test_a_cast_to_a_distance_in_a_world():
+    world = ecods.World()
+    wall = world.create_body(WALL)
+    met = world.cast_to_distance(POINT, (-4, 0, 0), 1)
+    assert met.body == wall and met.contact == ecods.cast_to_distance(POINT, (-4, 0, 0), WALL, 1)
+    assert met.contact.time == 0.25 and world.cast_to_distance(POINT, (-4, 0, 0), distance=1, max_time=0.125) is None
+    ball = world.create_body(ecods.sphere(0.5), at(5), groups=2)
+    assert world.cast_to_distance(ball, (-4, 0, 0), 0.5).contact.time == 0.25
+    assert world.cast_to_distance(POINT, (-4, 0, 0), 1, filter=ecods.CollisionFilter(1, 1)) == met
+    with pytest.raises(ecods.InvalidArgument) as caught:
+        world.cast_to_distance(POINT, (-4, 0, 0), -1)
+    assert caught.value.argument == ecods.Argument.distance
+    world.create_body(ecods.HalfSpace((0, 0, 1), -9))
+    with pytest.raises(ecods.NotSupported):
+        world.cast_to_distance(POINT, (-4, 0, 0), 1)
+
+
 def test_meetings_in_a_world():
     world = ecods.World()
     point, target = world.create_body(POINT), world.create_body(TARGET)

@@ -119,6 +119,17 @@ void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
         "it "
         "and all that it may meet are meshes or Solids.");
     type.def(
+        "cast_to_distance",
+        [](const SharedWorld& self, const Subject& subject, const Vec3& motion, double distance, double most,
+           const Filter& only) {
+            return self.read([&](const World& world) {
+                return world.cast_to_distance(to_asked(subject, only), motion, distance, most);
+            });
+        },
+        what, py::arg("motion"), py::arg("distance"), py::arg("max_time") = 1.0, filter,
+        "BodyContact: the body that a body, a Mesh or a Posed, translated as in cast(), is first within a distance of, "
+        "or None. Raises NotSupported where a half space may be met, InvalidArgument.");
+    type.def(
         "entering",
         [](const SharedWorld& self, const Subject& subject, const Vec3& motion, const Filter& only) {
             return self.read([&](const World& world) { return world.entering(to_asked(subject, only), motion); });
