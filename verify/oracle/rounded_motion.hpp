@@ -23,9 +23,8 @@ class RoundedMotion {
     // True if the triangles are within p at this time.
     bool is_near(const mpq_class& time) const { return squared(time) <= square_; }
 
-    // The first time up to `last`, rounded to the nearest double; nullopt if there is none, or only a moment of less than
-    // 2^-110 of the time.
-    // The triangles must not be within p at time 0.
+    // The first time up to `last`, rounded to the nearest double; nullopt if there is none, or only a moment of less
+    // than 2^-110 of the time. The triangles must not be within p at time 0.
     std::optional<double> first(double last) const;
 
     // True if the double is the last time at which the triangles are near, rounded.
