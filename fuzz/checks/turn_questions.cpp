@@ -52,7 +52,8 @@ void check_turns(std::span<World* const> worlds, std::uint32_t seed, Counters& c
     scenes::Random random(seed);
     const BodyId own = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
     const Turn turn = any_turn(first, bodies, random);
-    // Others are translated, turn, or rest.
+    // Others are translated, or rest; or turn, unless numbers are long (turn.hpp has what this costs).
+    const bool may_turn = have_moderate_numbers(first, bodies);
     std::vector<BodyId> moved{numbers_of(own)};
     std::vector<Motion> motions{turn}, of_all;
     for (const BodyId body : bodies) {
@@ -60,7 +61,7 @@ void check_turns(std::span<World* const> worlds, std::uint32_t seed, Counters& c
         if (body == own || random.below(3) != 0) continue;
         const Vec3 by = any_point(first, bodies, random) - any_point(first, bodies, random);
         if (!by.allFinite()) continue;
-        of_all.back() = random.below(3) == 0 ? Motion(any_turn(first, bodies, random)) : Translation{by};
+        of_all.back() = may_turn && random.below(3) == 0 ? Motion(any_turn(first, bodies, random)) : Translation{by};
         moved.push_back(numbers_of(body));
         motions.push_back(of_all.back());
     }

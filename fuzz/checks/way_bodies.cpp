@@ -44,18 +44,25 @@ Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Ra
     return point.allFinite() ? point : Vec3(0, 0, 0);
 }
 
+bool have_moderate_numbers(const World& world, const std::vector<BodyId>& bodies) {
+    return std::ranges::all_of(bodies, [&](BodyId body) {
+        const Pose pose = world.pose(body);
+        return is_moderate(pose.R) && is_moderate(pose.t) &&
+               std::ranges::all_of(mesh_of(*world.shape(body))->vertices(),
+                                   [](const Vec3& v) { return is_moderate(v); });
+    });
+}
+
 bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies, std::size_t factor) {
     std::size_t count = 0, pairs = 0;
-    bool has_moderate_numbers = true;
     for (const BodyId body : bodies) {
         const auto mesh = mesh_of(*world.shape(body));
         pairs += count * mesh->triangles().size();
         count += mesh->triangles().size();
-        const Pose pose = world.pose(body);
-        has_moderate_numbers = has_moderate_numbers && is_moderate(pose.R) && is_moderate(pose.t) &&
-                               std::ranges::all_of(mesh->vertices(), [](const Vec3& v) { return is_moderate(v); });
     }
-    return factor * pairs <= (has_moderate_numbers ? triangle_pairs_max : triangle_pairs_max_of_long_integers);
+    const std::size_t most =
+        have_moderate_numbers(world, bodies) ? triangle_pairs_max : triangle_pairs_max_of_long_integers;
+    return factor * pairs <= most;
 }
 
 }  // namespace ecods::fuzz

@@ -24,6 +24,9 @@ Posed<MeshShape> mesh_at(const World& world, BodyId body);
 // A point that bodies are near: a corner of a mesh at its pose, or of a box. Points that are no doubles are left out.
 Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Random& random);
 
+// True if no number of the bodies is above 2^64 or below 2^-64, but for zero.
+bool have_moderate_numbers(const World& world, const std::vector<BodyId>& bodies);
+
 // True if all pairs can be asked in a fraction of a second, by questions that take `factor` times as long as casts of
 // translations.
 bool are_soon_asked(const World& world, const std::vector<BodyId>& bodies, std::size_t factor = 1);
