@@ -23,6 +23,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // way is divided at 2^-10 of the smaller body.
 constexpr double wide_part = 0x1p-9, wide_part_of_many = 0x1p-10;
 constexpr double wide_min = 0x1p-13, narrow_min = 0x1p-18, reach_min = 0x1p-30;
+// A length below this one is of the additions against underflow, not of the bodies (length_above()): the bodies are
+// then points, which no units make larger, and smaller pieces would be no nearer to straight.
+constexpr double narrowest = 0x1p-580;
 constexpr std::uint64_t step_min = 512, triangles_per_step = 8, many = std::uint64_t{1} << 13;
 
 }  // namespace
@@ -38,7 +41,7 @@ void TurnPieces::bind_bodies(const Bodies& bodies) {
     const double reach = std::max(std::min(size_a + size_b, bodies.travel), reach_min * bodies.size);
     const double part = triangle_count > many ? wide_part_of_many : wide_part;
     wide_ = std::max(part * std::min(size_a, size_b), wide_min * reach);
-    narrow_ = narrow_min * reach;
+    narrow_ = std::max(narrow_min * reach, narrowest);
 }
 
 // A time above `to` may round to it.

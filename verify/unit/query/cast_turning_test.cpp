@@ -249,6 +249,25 @@ TEST(CastTurning, PosesAndGaps) {
     EXPECT_EQ(end_gap(ring, Pose(), Turn(), Pose()), 0);
 }
 
+// No unit makes a point larger, and no bound in doubles is as small as these coordinates.
+TEST(CastTurning, PointsAtTinyPlaces) {
+    const MeshShape point = shape_of({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+    const Turn half{{0, 0, 0, 1}, Vec3::Zero(), Vec3::Zero()};
+    for (const int exponent : {0, -300, -570, -700, -1070}) {
+        const double unit = std::ldexp(1.0, exponent);
+        const Turning<MeshShape> a(point, {.t = {5 * unit, 0, 0}}, half);
+        const auto contact = cast(a, {point, {.t = {3 * unit, 4 * unit, 0}}});
+        ASSERT_TRUE(contact) << exponent;
+        EXPECT_EQ(contact->time, 1 / 3.0);
+        EXPECT_EQ(contact->kind, ClosestKind::vertex_vertex);
+        EXPECT_FALSE(cast(a, {point, {.t = {3 * unit, 3 * unit, 0}}}));
+        const Turning<MeshShape> b(point, {.t = {3 * unit, 4 * unit, 0}},
+                                   {{1, 2, 3, 4}, {3 * unit, 4 * unit, 0}, {3 * unit, 4 * unit, 0}});
+        EXPECT_EQ(cast(a, b)->time, 1 / 3.0) << "of two that turn";
+        EXPECT_FALSE(cast(a, Turning<MeshShape>(point, {.t = {unit, unit, 0}}, about({0, 0, 1}, -1, {unit, 0, 0}))));
+    }
+}
+
 // An arc leaves its chord across the axis only: bounds in doubles see a gap along the axis, however small it is.
 TEST(CastTurning, ADiskJustAboveAFloor) {
     const Circumscribed disk = cylinder(1, 0.5, 24);
