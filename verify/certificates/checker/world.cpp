@@ -116,7 +116,7 @@ bool read_section(Text& in, const WorldHead& head, Section& section) {
     const bool is_first = section.line == 0;
     const bool lacks_within = !is_first && head.clearance && section.proof.claim.question == Question::disjoint;
     if (in.line() == "end world" && !lacks_within) return false;
-    if (in.peek() != "pair" && !lacks_within) in.fail("a pair, or the end, expected");
+    if (in.peek() != "pair") in.fail(lacks_within ? "a pair lacks its claim within" : "a pair, or the end, expected");
     section.line = in.line_number();
     const BodyPair pair = read_pair_line(in);
     if (lacks_within && pair != section.pair) in.fail("a pair lacks its claim within");
