@@ -168,6 +168,11 @@ def main():
         if one != other or not is_accepted(one):
             wrong += 1
             print(f"--- not accepted as made: C++ {one}, Python {other}\n{text}" + "".join(meshes))
+    headed = [(meshes, text[: at + 1] + "a" + text[at + 5 :]) for meshes, text in sources for at in range(len(text)) if text.startswith("\npair ", at)]
+    for (meshes, text), (one, other) in zip(headed, checkers.verdicts([text for _, text in headed], {mesh for meshes, _ in headed for mesh in meshes})):
+        if one != other or is_accepted(one):
+            wrong += 1
+            print(f"--- a section that does not begin with pair: C++ {one}, Python {other}\n{text}" + "".join(meshes))
     wrong += run(checkers, random_, sources, options.changes, report)
     for (kind, verdict), count in sorted(report.items()):
         print(f"{kind:8} {verdict:20} {count}")
