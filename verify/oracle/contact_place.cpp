@@ -99,7 +99,7 @@ struct AtTime {
         const mpq_class t = dot(cross(w, u), cross(v, u)) / dot(n, n);
         return part(corner(1, 0), corner(1, 1), t);
     }
-    // Of any length.
+    // Returns a normal of any length.
     Fractions normal() const {
         if (are_edges()) return cross(edge(0), edge(1));
         const std::size_t side = a.dimension == 2 ? 0 : 1;

@@ -41,7 +41,7 @@ struct RationalRotation {
     }
 };
 
-// Of the two triangles of a leg and a body at rest. (oracle/way.hpp)
+// Returns the motion of a triangle of a leg beside a triangle at rest (oracle/way.hpp).
 struct LegSoup;
 std::unique_ptr<PairMotion> motion_of_pair(const LegSoup& a, const Soup& b, const TrianglePair& pair);
 

@@ -17,7 +17,7 @@
 namespace ecods::oracle::turn_forms {
 
 using Integers = Vector<mpz_class>;
-using Corners = std::array<Integers, 3>;
+using oracle::Corners;
 
 // A sum of c_i u^i v^(n - i).
 struct Form {

@@ -188,7 +188,7 @@ class TurningPairs {
     TurningSide side_;
 };
 
-// Where both turn, coordinates are times both squared lengths.
+// Coordinates of two bodies that turn are times both squared lengths.
 class BothTurningPairs {
   public:
     BothTurningPairs(const TurningSoup& a, const TurningSoup& b)

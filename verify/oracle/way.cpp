@@ -5,15 +5,14 @@
 
 #include "oracle/float_environment.hpp"
 #include "oracle/integer_points.hpp"
-#include "oracle/linear_program.hpp"
 #include "oracle/pairs_on_the_way.hpp"
 #include "oracle/rational_rotation.hpp"
+#include "oracle/share_point.hpp"
 
 namespace ecods::oracle {
 namespace {
 
 using Integers = Vector<mpz_class>;
-using Corners = std::array<Integers, 3>;
 
 constexpr std::array<Triangle, 1> segment{{{0, 1, 1}}};
 
@@ -95,20 +94,6 @@ class Leg {
     std::array<Vector<Polynomial>, 3> rotation_;
     Polynomial norm_;
 };
-
-// True if weights of the corners of one make a point of the other.
-bool share_point(const Corners& a, const Corners& b) {
-    std::vector<Equation> equations(5, Equation(7));
-    equations[0] = {1, 1, 1, 0, 0, 0, 1};
-    equations[1] = {0, 0, 0, 1, 1, 1, 1};
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            equations[2 + k][i] = a[i][k] - b[0][k];
-            equations[2 + k][3 + i] = b[0][k] - b[i][k];
-        }
-    }
-    return least_first_variable(std::move(equations)).has_value();
-}
 
 Corners corners_of(const std::vector<Integers>& points, const Triangle& t) {
     return {points[t[0]], points[t[1]], points[t[2]]};

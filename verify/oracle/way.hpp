@@ -42,10 +42,10 @@ struct PlaceOfContact {
     Vec3 point;
     std::optional<Vec3> normal;
 };
-// Where these features are when their triangles first meet, which they do. Places are taken at rational times that are
-// as near to the real one as 2^-5000 of it: a number that is nearer than 2^-1500 of it to a short one is taken for that
-// one, and one below 2^-2400 of the largest corner for zero; quotients of doubles are below 2^2100. Where no corners
-// differ much in size, a fifth of these bits is enough.
+// Returns where these features are when their triangles first meet, which they do. Places are taken at rational times
+// that are as near to the real one as 2^-5000 of it: a number that is nearer than 2^-1500 of it to a short one is taken
+// for that one, and one below 2^-2400 of the largest corner for zero; quotients of doubles are below 2^2100. Where no
+// corners differ much in size, a fifth of these bits is enough.
 PlaceOfContact place_of_contact(const LegSoup& a, const Soup& b, const NamedFeature& of_a, const NamedFeature& of_b);
 PlaceOfContact place_of_contact(const MovingSoup& a, const MovingSoup& b, const NamedFeature& of_a,
                                 const NamedFeature& of_b);

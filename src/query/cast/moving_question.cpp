@@ -32,7 +32,7 @@ void StraightMotion::bind_boxes(const MeshAtEnds& a, const MeshAtEnds& b) {
     axes_.bind({a.trees, from_a.R, to_a.R}, {b.trees, from_b.R, to_b.R}, from_b.t - from_a.t, to_b.t - to_a.t);
 }
 
-std::optional<float> StraightMotion::first_of_boxes() {
+std::optional<float> StraightBoxes::first_of_boxes() {
     return first_of_roots(axes_, trees_[0], trees_[1]);
 }
 

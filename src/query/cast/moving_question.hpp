@@ -16,11 +16,9 @@ namespace ecods {
 // Returns a lower bound, on the axes, of the time at which the boxes of the trees' roots meet; nullopt if they do not.
 std::optional<float> first_of_roots(const MotionAxes& axes, const TreeAtEnds& a, const TreeAtEnds& b);
 
-// The straight motions of two bodies, for MeetingQuestion.
-class StraightMotion : public MovingPairs {
+// The boxes of two bodies that move straight, for MeetingQuestion.
+class StraightBoxes {
   public:
-    // Everything that the arguments refer to must outlive this object.
-    void bind_boxes(const MeshAtEnds& a, const MeshAtEnds& b);
     // Returns a lower bound of the time at which the boxes of the bodies meet; nullopt if they never do.
     std::optional<float> first_of_boxes();
 
@@ -31,9 +29,16 @@ class StraightMotion : public MovingPairs {
     static float bound_of(double time) noexcept { return round_up(time); }
     static constexpr bool may_go_on() noexcept { return true; }
 
-  private:
+  protected:
     MotionAxes axes_;
     std::array<TreeAtEnds, 2> trees_;
+};
+
+// The straight motions of two bodies, for MeetingQuestion.
+class StraightMotion : public MovingPairs, public StraightBoxes {
+  public:
+    // Everything that the arguments refer to must outlive this object.
+    void bind_boxes(const MeshAtEnds& a, const MeshAtEnds& b);
 };
 
 using MovingQuestion = MeetingQuestion<StraightMotion>;

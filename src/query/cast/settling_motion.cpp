@@ -102,10 +102,6 @@ void SettlingMotion::bind(const MeshShape& a, const TurnLeg& leg, const Pose& to
     known_.clear();
 }
 
-std::optional<float> SettlingMotion::first_of_boxes() {
-    return first_of_roots(axes_, trees_[0], trees_[1]);
-}
-
 exact::MovingPoints SettlingMotion::points_of(const TrianglePair& triangles) {
     const Triangle &of_a = mesh(0).triangles()[triangles.a], &of_b = mesh(1).triangles()[triangles.b];
     exact::MovingPoints points;

@@ -7,34 +7,24 @@
 // on each axis at each end, so points by less than 2 `off`.
 #pragma once
 
-#include <array>
 #include <optional>
 
-#include "base/outward.hpp"
-#include "bvh/axes/motion_axes.hpp"
 #include "exact/measure/contact/moving_triangles.hpp"
 #include "exact/point/frame.hpp"
 #include "query/cast/decide_meeting.hpp"
 #include "query/cast/meeting_question.hpp"
+#include "query/cast/moving_question.hpp"
 #include "query/cast/turn_leg.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
 
 // A motion, for MeetingQuestion. Pairs of triangles that share a point at time 0 meet at time 0, in vertices 0.
-class SettlingMotion {
+class SettlingMotion : public StraightBoxes {
   public:
     // Binds a mesh that ends `leg` and goes to the pose `to`, and a mesh at rest. All arguments must outlive this
     // object.
     void bind(const MeshShape& a, const TurnLeg& leg, const Pose& to, const Posed<MeshShape>& b, CastCounts& counts);
-    std::optional<float> first_of_boxes();
-
-    const std::array<MotionSet, 2>& sets() const noexcept { return axes_.sets(); }
-    const std::array<TreeAtEnds, 2>& trees() const noexcept { return trees_; }
-    static constexpr double begin() noexcept { return 0; }
-    static double time_of(float bound) noexcept { return static_cast<double>(bound); }
-    static float bound_of(double time) noexcept { return round_up(time); }
-    static constexpr bool may_go_on() noexcept { return true; }
 
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
@@ -51,12 +41,10 @@ class SettlingMotion {
     const Pose* to_ = nullptr;
     const Posed<MeshShape>* b_ = nullptr;
     CastCounts* counts_ = nullptr;
-    std::array<TreeAtEnds, 2> trees_;
     RoundedLeg end_;      // where the turn ends
     Pose rounded_to_;     // relative to the translation of b, as end_ is
     double to_off_ = 0;   // upper bound of errors of its points, as end_.off
     exact::Frame frame_;  // bodies: a at the end of the turn, b, a at `to`
-    MotionAxes axes_;
     KnownMeetings known_;
 };
 
