@@ -9,7 +9,7 @@
 
 namespace ecods::bench {
 
-// What the engine is asked.
+// Names what an engine is asked.
 enum class TurnAnswer {
     time,      // of the first contact, as include/ecods/turn.hpp has it, or NaN if there is none
     share,     // the same as a share of the angle: of engines that turn at a constant speed

@@ -188,7 +188,7 @@ void check_contact_point(const Way& way, QueryMemory& memory, Counters& counters
     if (std::abs(n.norm() - 1) > 0x1p-50 || along < -0x1p-40) {
         throw CheckFailed("normal of a first contact", "a unit vector along the motion", judge::text(n));
     }
-    // Where several pairs of triangles tie, the order of the bodies chooses.
+    // The order of the bodies chooses among pairs of triangles that tie.
     if (contact->kind != ClosestKind::vertex_face && contact->kind != ClosestKind::edge_edge) return;
     FirstContact back = *contact;
     std::swap(back.a, back.b);

@@ -267,10 +267,6 @@ def test_turns():
     assert contact.time == 1 / 3 and contact.kind == ecods.ClosestKind.vertex_vertex
     assert ecods.cast(ecods.Turning(point, None, half), target, max_time=0.25) is None
     assert ecods.cast(point.turning(None, half), [0, 0, 3], target.at(ecods.pose(t=(0, 0, -1)))).time == 1 / 3
-    back = ecods.Turn((0, 0, 0, -1), (6, 0, 0), (6, 0, 0))
-    both = ecods.cast(point.turning(None, half), ecods.point_cloud([(1, 0, 0)]).turning(None, back))
-    assert both.time == 1 / 3 and both.kind == ecods.ClosestKind.vertex_vertex
-    assert ecods.cast(point.turning(None, half), point.turning(None, half), max_time=0.5).time == 0
     assert ecods.angle_at(half, 0.5) == np.pi / 2 and ecods.time_at(half, np.pi / 2) == 0.5
     quarter = ecods.about([0, 0, 2], np.pi / 2, [1, 0, 0])
     end = ecods.pose_at(None, quarter, 1)

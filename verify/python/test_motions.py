@@ -34,6 +34,12 @@ def test_numbers_that_are_not_finite(make, argument, part):
     assert (caught.value.argument, caught.value.part) == (argument, part)
 
 
+def test_two_bodies_that_turn():
+    both = ecods.cast(POINT.turning(None, HALF), ecods.point_cloud([(1, 0, 0)]).turning(None, BACK))
+    assert both.time == 1 / 3 and both.kind == ecods.ClosestKind.vertex_vertex
+    assert ecods.cast(POINT.turning(None, HALF), POINT.turning(None, HALF), max_time=0.5).time == 0
+
+
 def test_two_bodies_in_any_order():
     found = ecods.cast(POINT, HALF, TARGET, STAY)
     assert found == ecods.cast(POINT.turning(None, HALF), TARGET) and found.time == 1 / 3

@@ -91,7 +91,7 @@ struct Step {
     double degrees;
 };
 
-// What a link meets first as a joint turns.
+// A Found names what a link meets first as a joint turns.
 struct Found {
     std::size_t link = 0;
     const Obstacle* obstacle = nullptr;
