@@ -1,5 +1,5 @@
-// BothTurningPairs finds when pairs of triangles of two meshes first share a point, each of which turns by a turn of
-// its own, by bounds and exactly.
+// BothTurningPairs finds when pairs of triangles of two meshes first share a point, by bounds and exactly. Each mesh
+// turns by a turn of its own.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class BothTurningPairs {
     // Everything that the arguments refer to must outlive this object.
     void bind(const Turning<MeshShape>& a, const Turning<MeshShape>& b, CastCounts& counts);
 
-    // Both do what those of MovingPairs do.
+    // Do the same as the functions of these names in MovingPairs.
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 

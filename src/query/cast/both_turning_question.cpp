@@ -24,7 +24,7 @@ void BothTurnMotion::bind(const Turning<MeshShape>& a, const Turning<MeshShape>&
     bind_bodies({*a.what, *b.what, first.half, second.half, travel, first.size + second.size});
 }
 
-// The angle of the turn that leaves its straight motion by more is divided.
+// A piece is divided by the angle of the turn whose points leave their straight motions by more.
 void BothTurnMotion::set_piece(double from, double to) {
     set_times(from, to);
     constexpr double known = exact::TurnAngles::condition_max;

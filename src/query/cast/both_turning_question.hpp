@@ -9,17 +9,17 @@
 
 namespace ecods {
 
-// Two turns, for MeetingQuestion.
+// BothTurnMotion is the Motion of MeetingQuestion for two bodies that turn.
 //
-// In a piece every point of a body is within a margin of a straight motion, at the same time of the piece
-// (both_turning_points.hpp). The sum of both margins is that of the bodies, each across an axis of its own.
+// In a piece, every point of a body is at each time within a margin of its straight motion at that time
+// (both_turning_points.hpp). The margin of the pair is the sum of both; each is across the axis of its own turn.
 // Claim: verify/proofs/turn_pieces.md
 class BothTurnMotion : public BothTurningPairs, public TurnPieces {
   public:
     // Binds the bodies. Everything that the arguments refer to must outlive this object.
     void bind(const Turning<MeshShape>& a, const Turning<MeshShape>& b, CastCounts& counts);
 
-    // Binds the time between two times.
+    // Restricts the motion to the piece between two times.
     void set_piece(double from, double to);
 
   private:

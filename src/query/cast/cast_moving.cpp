@@ -9,7 +9,8 @@
 namespace ecods {
 namespace {
 
-// Searches the first contact of two meshes that move straight. Everything that the arguments refer to must outlive it.
+// StraightSearch searches for the first contact of two meshes that move straight. Everything that the arguments refer
+// to must outlive it.
 class StraightSearch {
   public:
     StraightSearch(const MeshAtEnds& a, const MeshAtEnds& b, double latest, QueryMemory& memory, PairWitness& witness)
@@ -24,7 +25,7 @@ class StraightSearch {
         first_ = motion().first_of_boxes();
     }
 
-    // False if the boxes of the meshes never meet. Otherwise run() says when the meshes do.
+    // False if the boxes of the meshes never meet. Call run() only if true.
     bool may_meet() const noexcept { return first_.has_value(); }
 
     std::optional<FirstContact> run() {

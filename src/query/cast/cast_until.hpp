@@ -30,11 +30,11 @@ std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Turnin
 std::optional<WayContact> cast_until(const Way<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
                                      PairWitness& witness);
 
-// Returns the first contact of a on its straight way from where the leg ends to a pose.
+// Returns the first contact of body a while it moves straight from its place at the end of the leg to the pose `to`.
 std::optional<FirstContact> settle_from(const MeshShape& a, const TurnLeg& leg, const Pose& to,
                                         const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness);
 
-// Returns the contact at time 0 of bodies that share a point before they move. Call only if they do. The work is
+// Returns the contact at time 0 of bodies that share a point at the start. Call only if they do share one. The work is
 // counted as a part of the query that calls it.
 FirstContact contact_at_start(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory);
 

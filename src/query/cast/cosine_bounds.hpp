@@ -11,11 +11,11 @@ struct CosineBounds {
     exact::Integer cos, sin, off, scale;
 };
 
-// Returns the bounds from all terms up to t^degree; 0 <= t <= 4. `off` is at most t^(degree + 1) / (degree + 1)! of the
-// scale, times degree + 1.
+// Returns the bounds that follow from all terms up to t^degree, for 0 <= t <= 4. `off` / `scale` is about t^(degree +
+// 1) / degree!.
 CosineBounds bound_cosine(const exact::BinaryFraction& t, int degree);
 
-// Returns decide(bounds) for bounds that grow tighter until it returns a sign that is not 0.
+// Calls decide(bounds) with tighter and tighter bounds until the result, a sign, is not 0. Returns this sign.
 template <class Decide>
 int decide_by_cosine(const exact::BinaryFraction& t, Decide&& decide) {
     for (int degree = 8;; degree *= 2) {

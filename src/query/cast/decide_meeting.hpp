@@ -23,8 +23,9 @@
 
 namespace ecods {
 
-// Stores when features a and b first share a point. It is stored only if the triangles that have them cannot meet, in
-// the time span searched, in any other features. So all triangles with this property first meet at this time.
+// Stores the time at which features a and b first share a point. It is stored only for a pair of triangles that, in the
+// time span searched, can meet in no other features. So every other pair of which this is true first meets at this
+// time, too.
 struct KnownMeeting {
     FeatureKey a, b;
     double time;   // rounded once
@@ -39,18 +40,18 @@ class KnownMeetings {
     }
     void add(const KnownMeeting& known) { all_.push_back(known); }
 
-    // Keeps the first meeting of two triangles at any time; nullopt if there is none. Triangles that stay very near to
-    // each other are asked about in many pieces of the time.
+    // Stores the first meeting of two triangles in the whole motion; nullopt if they never meet. Triangles that stay
+    // near each other would otherwise be decided again in many pieces of the motion.
     void add_whole(const TrianglePair& triangles, const std::optional<exact::Meeting>& meeting) {
         whole_.insert_or_assign(key_of_pair(triangles), meeting);
     }
-    // Returns what add_whole() keeps; null if there is nothing.
+    // Returns what add_whole() stored for the triangles; null if it stored nothing.
     const std::optional<exact::Meeting>* find_whole(const TrianglePair& triangles) const {
         const auto found = whole_.find(key_of_pair(triangles));
         return found == whole_.end() ? nullptr : &found->second;
     }
-    // Returns an interval within [from, to] that contains the first meeting of triangles whose first meeting is kept;
-    // nullopt if that is later, or there is none.
+    // Returns an interval within [from, to] that contains the meeting `whole`, which add_whole() stored; nullopt if the
+    // meeting is later than `to`, or if there is none.
     static std::optional<exact::TimeSpan> span_of(const std::optional<exact::Meeting>& whole, double from, double to) {
         if (!whole || key_of(next_down(whole->time)) > key_of(to)) return std::nullopt;
         return exact::TimeSpan{double_of(std::max(key_of(from), key_of(next_down(whole->time)))),
@@ -75,23 +76,23 @@ class KnownMeetings {
     }
 
     std::vector<KnownMeeting> all_;
-    std::unordered_map<std::uint64_t, std::optional<exact::Meeting>> whole_;  // by both indices
+    std::unordered_map<std::uint64_t, std::optional<exact::Meeting>> whole_;  // the key has both indices
 };
 
-// `Pairs` has the pairs of triangles of two moving meshes: mesh(side); points_of(triangles), in doubles, for
-// bound_first_meeting and possible_features; ask_exactly(triangles, ask), which returns ask(position) for the
-// RelativePositionOf some polynomials; and counts_.
+// MeetingDecision decides about one pair of triangles. `Pairs` represents all pairs of two moving meshes. It has
+// mesh(side); points_of(triangles), the corners in doubles for bound_first_meeting and possible_features;
+// ask_exactly(triangles, ask), which returns ask(position) for the RelativePositionOf the triangles; and counts_.
 template <class Pairs>
 class MeetingDecision {
   public:
     MeetingDecision(Pairs& pairs, KnownMeetings& known, const TrianglePair& triangles)
         : pairs_(pairs), known_(known), triangles_(triangles) {}
 
-    // Decides exactly in some short time spans from the bound on, in which few features can meet; if these do not
-    // suffice, for all times. If the points are far from their mesh's origin, the bound may end before the meeting
-    // because of the points' errors. So each span tried is longer than the one before. The bounds of turns, of about
-    // 2^-42, mostly end before it; a first span of 2^-44 had five times as many exact decisions there, and of straight
-    // motions as many.
+    // Decides exactly, at first only in short time spans that begin with the bound `time`: few features can meet in
+    // these. If the spans do not suffice, decides for all times. Each span is longer than the one before, because
+    // `time` may end before the meeting: points far from their mesh's origin have large errors. For turns it mostly
+    // does; its length is about 2^-42 there. With a first span of 2^-44, turns took five times as many exact decisions,
+    // and straight motions took as many.
     std::optional<exact::Meeting> decide(exact::TimeSpan time, double to) {
         if (const auto* whole = known_.find_whole(triangles_)) return *whole;
         constexpr std::array<double, 3> lengths{0x1p-40, 0x1p-34, 0x1p-28};  // relative to time.to

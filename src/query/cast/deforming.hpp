@@ -7,7 +7,7 @@
 namespace ecods {
 
 struct DeformingAccess {
-    // Return the surface at time 0, and at both ends. The mesh must outlive the results.
+    // Return the surface at time 0, and the surface at times 0 and 1. The mesh must outlive the results.
     static const Posed<MeshShape>& at_start(const Deforming& mesh);
     static MeshAtEnds at_ends(const Deforming& mesh);
 };

@@ -11,8 +11,9 @@
 namespace ecods {
 namespace {
 
-// Entering is the PairQuestion (query/search) whose numbers are the times at which pairs of triangles go in. No pair
-// goes in before its first contact, so lower bounds of that time hold for these numbers.
+// Entering is a PairQuestion (query/search). The number of a pair of triangles is the time at which the first triangle
+// goes into the second one. It does so at its first contact or later, so a lower bound of the contact's time is a lower
+// bound of the number.
 class Entering : public TranslatedPairs {
   public:
     using Interval = ContactInterval;
@@ -24,21 +25,21 @@ class Entering : public TranslatedPairs {
         end_ = end;
         return TranslatedPairs::bind(bodies, motion, end, counts);
     }
-    // A pair that shares a point need not go in.
+    // Returns false: triangles that share a point at the start need not go into each other.
     bool may_share(float) const noexcept { return false; }
 
     ContactInterval enclose(const TrianglePair& pair, double) {
         if (edges_ != nullptr && !(edges_->counts(0, pair.a) && edges_->counts(1, pair.b))) return never();
         ContactInterval interval = enclosed(pair);
-        // A vertex strictly inside a face, or two edges that cross, seen along the motion: the pair goes in properly
-        // at its first contact.
+        // A certain contact is that of a vertex strictly inside a face, or of two edges that cross, seen along the
+        // motion. So the pair goes in properly at its first contact.
         const bool is_proven =
             interval.is_certain && key_of(interval.lower) > 0 && key_of(interval.upper) < key_of(end_);
         if (!is_proven) interval.upper = std::numeric_limits<double>::infinity();
         interval.is_certain = is_proven;
         return interval;
     }
-    // Decides the pair exactly, unless its interval proves that it goes in. Returns false if it does not.
+    // Decides the pair exactly, unless its interval proves that it goes in. Returns false if the pair does not go in.
     bool complete(const TrianglePair& pair, ContactInterval& interval, std::optional<PairEntry>& entry) {
         if (interval.is_certain) return true;
         entry = find(pair);

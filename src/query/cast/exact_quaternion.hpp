@@ -1,4 +1,4 @@
-// An ExactQuaternion is a quaternion with exact components, of any length but zero, and the rotation that it makes.
+// An ExactQuaternion is a quaternion with exact components, of any length but zero. It computes its rotation exactly.
 #pragma once
 
 #include "ecods/pose.hpp"
@@ -23,7 +23,7 @@ inline ExactQuaternion exact_quaternion(const Quaternion& q) {
     return {q.w, {exact::ScaledInteger(q.x), exact::ScaledInteger(q.y), exact::ScaledInteger(q.z)}};
 }
 
-// Returns z1 times the conjugate of z0: a multiple of the quaternion that turns from one to the other.
+// Returns z1 times the conjugate of z0: a multiple of the quaternion of the rotation from z0 to z1.
 inline ExactQuaternion times_conjugate(const ExactQuaternion& z1, const ExactQuaternion& z0) {
     return {z1.w * z0.w + dot(z1.v, z0.v), minus(minus(times(z1.v, z0.w), times(z0.v, z1.w)), cross(z1.v, z0.v))};
 }

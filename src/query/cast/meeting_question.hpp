@@ -1,5 +1,5 @@
-// MeetingQuestion is the PairQuestion (query/search) whose numbers are the times of first contact of two moving bodies,
-// for any kind of motion.
+// MeetingQuestion is a PairQuestion (query/search): the number of a pair of triangles is the time of its first contact,
+// for any kind of motion of the two bodies.
 //
 // Bounds of pairs of triangles are refined step by step, earliest pairs first. A pair is decided exactly only when no
 // waiting pair may be earlier.
@@ -22,13 +22,13 @@
 
 namespace ecods {
 
-// `Motion` has the bodies and how they move:
+// `Motion` represents the two bodies and how they move. It has these functions:
 //     sets(), trees()          the axes of motion_axes.hpp and the trees, for a straight motion that bounds this one
-//     begin()                  the time before which no contact is
+//     begin()                  the beginning of the time that is searched
 //     time_of(bound)           a lower bound of the time, for a lower bound on those axes
-//     bound_of(time)           a bound on those axes that is not exceeded up to a time
-//     may_go_on()              false if the search is given up; its result is then without meaning
-//     bound(), decide()        as MovingPairs has them
+//     bound_of(time)           an upper bound, for all times up to `time`, of the bounds on those axes
+//     may_go_on()              false if the search is given up; its result then has no meaning
+//     bound(), decide()        see MovingPairs
 template <class Motion>
 class MeetingQuestion {
   public:
@@ -46,8 +46,8 @@ class MeetingQuestion {
         at_most_ = at_most;
         is_by_then_ = false;
     }
-    // True if the real time of a contact found is at most `at_most`. (The rounded time may be, though the real time is
-    // not.)
+    // True if the search found a contact whose real time is at most `at_most`. (A rounded time may be at most `at_most`
+    // although the real time is later.)
     bool is_by_then() const noexcept { return is_by_then_; }
 
     // The search calls the following functions.
@@ -83,7 +83,7 @@ class MeetingQuestion {
         const double time = motion_.time_of(bound);
         while (!waiting_.is_empty() && waiting_.front().time <= key_of(time)) {
             const Candidate next = waiting_.pop();
-            // All others are later.
+            // All other candidates are later, so none is left to be searched.
             if (!motion_.may_go_on() || !search.sieve().counts(double_of(next.time))) return waiting_.clear();
             refine(search, next, time);
         }
@@ -122,8 +122,8 @@ class MeetingQuestion {
         waiting_.push({key_of(time), order_++, known, triangles});
     }
 
-    // Refines the bound of the candidate. Then gives it to the search, which decides it exactly, unless a waiting
-    // candidate or a node (these begin at time `next`) may be earlier. In that case puts it back into the queue.
+    // Refines the bound of the candidate. If a waiting candidate may be earlier, or a node (no node begins before time
+    // `next`), puts the candidate back into the queue. Otherwise gives it to the search, which decides it exactly.
     void refine(Search& search, const Candidate& candidate, double next) {
         using Known = typename Candidate::Known;
         const double latest = search.sieve().bound();

@@ -11,22 +11,23 @@
 
 namespace ecods {
 
-// Everything that it refers to must outlive this object.
+// Everything that the arguments of a constructor refer to must outlive this object.
 struct MeshAtEnds {
     explicit MeshAtEnds(const Moving<MeshShape>& rigid)
         : start(*rigid.what, rigid.from),
           end{&start.mesh(), &start.tree.extent, &rigid.to},
           trees(start.tree.boxes),
           is_at_rest(same_bits(rigid.from, rigid.to)) {}
-    // A mesh that deforms: `at_end` has its triangles and other vertices, and `tree_at_end` the structure of its tree.
+    // Takes a mesh that deforms. `at_end` must have the same triangles, with other vertices; `tree_at_end` must have
+    // the same structure as the tree at the start.
     MeshAtEnds(const Posed<MeshShape>& at_start, const exact::BodyRef& at_end, const MeshBvh& tree_at_end)
         : start(at_start), end(at_end), trees(start.tree.boxes, tree_at_end) {}
 
     MeshBody start;
     exact::BodyRef end;
     TreeAtEnds trees;
-    // True if no point moves. Compares bits, because a processor that flushes subnormal numbers compares two different
-    // ones as equal.
+    // True if the poses at both ends are equal; false for a mesh that deforms. The bits of the poses are compared,
+    // because a processor that flushes subnormal numbers compares two different ones as equal.
     bool is_at_rest = false;
 };
 

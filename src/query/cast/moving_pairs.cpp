@@ -12,7 +12,7 @@
 namespace ecods {
 namespace {
 
-// The ends of the first two time intervals that bound_at_beginning() searches. Both are powers of two; the first is the
+// bound_at_beginning() first searches the time intervals that end here. Both ends are powers of two; the first is the
 // least normal number.
 constexpr std::array<double, 2> beginnings{0x1p-1022, 0x1p-537};
 

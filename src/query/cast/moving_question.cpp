@@ -4,7 +4,7 @@ namespace ecods {
 
 namespace {
 
-// Returns a node with a single child box, the root's.
+// Returns a node whose single child is the box of the tree's root.
 BvhNode root_of(const MeshBvh& tree) {
     BvhNode node{};
     for (std::size_t k = 0; k < 3; ++k) {

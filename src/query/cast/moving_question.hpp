@@ -13,10 +13,12 @@
 
 namespace ecods {
 
-// Returns a lower bound, on the axes, of the time at which the boxes of the trees' roots meet; nullopt if they do not.
+// Returns a lower bound, computed on the axes, of the time at which the boxes of the trees' roots meet; nullopt if they
+// never meet.
 std::optional<float> first_of_roots(const MotionAxes& axes, const TreeAtEnds& a, const TreeAtEnds& b);
 
-// The boxes of two bodies that move straight, for MeetingQuestion.
+// StraightBoxes holds the trees and axes of two bodies that move straight. It has all functions of a Motion of
+// MeetingQuestion but bound() and decide().
 class StraightBoxes {
   public:
     // Returns a lower bound of the time at which the boxes of the bodies meet; nullopt if they never do.
@@ -34,7 +36,7 @@ class StraightBoxes {
     std::array<TreeAtEnds, 2> trees_;
 };
 
-// The straight motions of two bodies, for MeetingQuestion.
+// StraightMotion is the Motion of MeetingQuestion for two bodies that move straight.
 class StraightMotion : public MovingPairs, public StraightBoxes {
   public:
     // Everything that the arguments refer to must outlive this object.

@@ -18,8 +18,8 @@ class PieceSearch {
   public:
     using Working = SearchMemory<Question>;
 
-    // Takes the bodies at the start, and the question, whose motion must be bound to them. Everything that the
-    // arguments refer to must outlive this object.
+    // Takes the bodies at their poses at time 0. The motion of working.question must be bound to them. Everything that
+    // the arguments refer to must outlive this object.
     PieceSearch(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double latest, QueryMemory& memory,
                 PairWitness& witness, Working& working)
         : a_(a),
@@ -30,11 +30,11 @@ class PieceSearch {
           working_(working),
           motion_(working.question.motion()) {}
 
-    // Says that the bodies share no point at time 0.
+    // States that the bodies share no point at time 0, so that run() need not test it.
     void begin_apart() noexcept { is_start_known_ = true; }
 
     std::optional<FirstContact> run() {
-        std::vector<double> ends{latest_};  // of pieces; the next one is last
+        std::vector<double> ends{latest_};  // ends of the pieces left; the next one is last
         double from = 0;
         while (!ends.empty()) {
             const double to = ends.back();
@@ -57,7 +57,8 @@ class PieceSearch {
     }
 
   private:
-    // True if the bodies share a point at time 0; then sets contact_. Asks once.
+    // True if the bodies share a point at time 0; then sets contact_. Only the first call tests; later ones return
+    // false.
     bool meet_at_start() {
         if (is_start_known_) return false;
         is_start_known_ = true;
@@ -68,8 +69,8 @@ class PieceSearch {
         return true;
     }
 
-    // Returns the first contact in the piece that ends at `to`, unless the search is given up. Contacts before the
-    // piece are none.
+    // Returns the first contact in the piece that ends at `to`; nullopt if there is none, or if the search is given up.
+    // There must be no contact before the piece.
     std::optional<FirstContact> search(double to) {
         Question& question = working_.question;
         question.start(to);

@@ -16,7 +16,7 @@ using exact::LongVector3;
 using exact::ScaledInteger;
 using exact::ScaledLongVector;
 
-// The turn of no length at the end of a leg.
+// Returns the turn of zero length at the end of a leg.
 TurnLeg end_of(const TurnLeg& leg) {
     return {leg.start, leg.pivot, leg.to, leg.to, leg.pivot_to, leg.pivot_to};
 }
@@ -30,8 +30,9 @@ ExactQuaternion in_integers(const Quaternion& q) {
     return {of(z.w), {of(z.v[0]), of(z.v[1]), of(z.v[2])}};
 }
 
-// The corners of both triangles at the start and at the end of the straight motion, times N, out of a's corners at the
-// start of the way, b's corners, a's corners at the end, and the pivot at the start of the way and at the end.
+// Returns the corners of both triangles at the start and at the end of the straight motion, times N. `points` are a's
+// corners at the start of the way, b's corners, a's corners at the final pose, and the pivot at the start of the way
+// and at the end of the leg.
 template <class Kernel>
 std::array<LongVector3, 12> settling_corners(const exact::IntegerPoints<Kernel, 11>& points, const Quaternion& q) {
     const ExactQuaternion z = in_integers(q);
@@ -53,7 +54,7 @@ std::array<LongVector3, 12> settling_corners(const exact::IntegerPoints<Kernel, 
     return corners;
 }
 
-// True if an edge of the triangle passes through the inside of the other one at time 0.
+// True if edge `edge` of triangle `side` crosses the interior of the other triangle at time 0.
 bool passes_through(exact::RelativePosition& triangles, std::size_t side, std::size_t edge) {
     const auto of_corner = [&](std::size_t corner) { return triangles.corner_volume(side, corner)[0].sign(); };
     if (of_corner(edge) * of_corner(exact::next_corner(edge)) >= 0) return false;
@@ -64,8 +65,8 @@ bool passes_through(exact::RelativePosition& triangles, std::size_t side, std::s
     return sides == 3 || sides == -3;
 }
 
-// True if the triangles share a point at time 0. If they do, two features do, each without its border, or an edge
-// passes through a face.
+// True if the triangles share a point at time 0. If they do, the relative interiors of a pair of features in
+// feature_pairs share a point, or an edge crosses a face.
 bool share_point_at_start(exact::RelativePosition& triangles) {
     exact::Root zero{exact::BinaryFraction{}};
     exact::TrianglesAtRoot at_start(triangles, zero);

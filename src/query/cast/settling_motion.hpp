@@ -1,10 +1,11 @@
-// SettlingMotion moves a body straight from where a turn ends, which is rarely at a pose of doubles, to a pose.
+// SettlingMotion moves a body straight from the end of a turn, which is rarely a pose of doubles, to a given pose.
 //
-// With z = (w, v) the quaternion at the end of the turn, N its norm and Q its rotation times N, a point that was at p
-// at the start of the way ends at c + Q (p - pivot) / N. Times N, that and all other points are integers in a common
-// unit: triangles that move straight (moving_triangles.hpp). In doubles the end is a pose that is rounded once
-// (RoundedLeg); its errors are added to those of the points, and to the boxes as a margin: coordinates are off by `off`
-// on each axis at each end, so points by less than 2 `off`.
+// Let z = (w, v) be the quaternion at the end of the turn, N = w^2 + v.v, Q the rotation times N, and c the pivot's
+// place there. A point that was at p at the start of the way is then at c + Q (p - pivot) / N. Multiplied by N, this
+// point and all others are integers in a common unit, so the triangles move straight as in moving_triangles.hpp. In
+// doubles, the end of the turn is a pose that is rounded once (RoundedLeg). Its error is added to the errors of the
+// points, and to the boxes as a margin: coordinates are off by at most `off` on each axis at each end, so points are
+// off by less than 2 `off`.
 #pragma once
 
 #include <optional>
@@ -19,11 +20,12 @@
 
 namespace ecods {
 
-// A motion, for MeetingQuestion. Pairs of triangles that share a point at time 0 meet at time 0, in vertices 0.
+// SettlingMotion is a Motion of MeetingQuestion. For triangles that share a point at time 0, decide() returns a meeting
+// at time 0 of the vertices 0.
 class SettlingMotion : public StraightBoxes {
   public:
-    // Binds a mesh that ends `leg` and goes to the pose `to`, and a mesh at rest. All arguments must outlive this
-    // object.
+    // Binds mesh a, which moves straight from its place at the end of `leg` to the pose `to`, and mesh b, which is at
+    // rest. All arguments must outlive this object.
     void bind(const MeshShape& a, const TurnLeg& leg, const Pose& to, const Posed<MeshShape>& b, CastCounts& counts);
 
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
@@ -41,9 +43,9 @@ class SettlingMotion : public StraightBoxes {
     const Pose* to_ = nullptr;
     const Posed<MeshShape>* b_ = nullptr;
     CastCounts* counts_ = nullptr;
-    RoundedLeg end_;      // where the turn ends
+    RoundedLeg end_;      // the end of the turn in doubles
     Pose rounded_to_;     // relative to the translation of b, as end_ is
-    double to_off_ = 0;   // upper bound of errors of its points, as end_.off
+    double to_off_ = 0;   // upper bound of the errors of points at this pose, as end_.off is at the end of the turn
     exact::Frame frame_;  // bodies: a at the end of the turn, b, a at `to`
     KnownMeetings known_;
 };

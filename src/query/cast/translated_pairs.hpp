@@ -1,5 +1,5 @@
-// TranslatedPairs bounds when nodes and pairs of triangles of two meshes first share a point, of which one is
-// translated. It is the part that the questions about translations have in common.
+// TranslatedPairs bounds the times at which nodes and pairs of triangles of two meshes first share a point while one
+// mesh is translated. All questions about translations derive from it.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,8 @@ class TranslatedPairs {
     }
 
   protected:
-    // Return what TriangleContacts has, and count it: an interval in doubles, or exact contacts.
+    // Return the interval that TriangleContacts computes in doubles, and TriangleContacts itself for one exact
+    // decision. Both count the work.
     ContactInterval enclosed(const TrianglePair& pair) {
         ++counts_->enclosures;
         return contacts_.enclose(pair.a, pair.b);

@@ -34,11 +34,12 @@ class TriangleContacts {
     struct Entry {
         // The pair's time, rounded once, if it goes in properly (ContactTimes) at a real time before `end`.
         std::optional<double> time;
-        // Bit e, or 3 + e: edge e of triangle i, or j, is in the plane of the other triangle and slides along it.
+        // Bit e is set if edge e of triangle i is in the plane of triangle j and slides along it; bit 3 + e is set if
+        // edge e of triangle j is in the plane of triangle i and slides along it.
         std::uint8_t sliding_edges = 0;
     };
-    // Edges are looked for only if the pair does not go in properly, and if with_edges; then both triangles must have
-    // an area.
+    // Looks for sliding edges only if `with_edges` is true and the pair does not go in properly. If `with_edges` is
+    // true, both triangles must have an area.
     Entry entry(std::uint32_t i, std::uint32_t j, double end, bool with_edges);
 
   private:
@@ -50,7 +51,7 @@ class TriangleContacts {
     std::array<const Triangle*, 2> triangles_{};
     Vec3 motion_ = Vec3::Zero();
     exact::ScaledVector scaled_{};
-    // The motion in the unit of the points; set only if is_exact_.
+    // Holds the motion in the unit of the points; set only if is_exact_.
     exact::IntegerVector integer_motion_{};
     bool is_exact_ = false;
 };

@@ -1,7 +1,8 @@
-// Angles of turns, and times. All results are those of real arithmetic, rounded once: comparisons are decided in
-// integers, with bounds of sines and cosines that are refined until they decide. That ends, because the angle at a
-// rational time is no rational number unless it is 0: twice the angle of a vector with algebraic coordinates
-// (Lindemann and Weierstrass). So the results increase monotonically.
+// Computes the angle of a turn at a time, the time of an angle, and the turn about an axis by an angle. Each result is
+// the real number, rounded once: comparisons are decided in integers, with bounds of sines and cosines that are refined
+// until they decide. The refinement ends, because the angle at a rational time is irrational unless it is 0: it is
+// twice the angle of a vector with algebraic coordinates (theorem of Lindemann and Weierstrass). Since rounding is
+// monotonic, angles increase with time, and times with the angle.
 #include <array>
 #include <cmath>
 #include <string>
@@ -22,13 +23,14 @@ using exact::Integer;
 using exact::nearest_double;
 
 constexpr double two_pi_above = 0x1.921fb54442d19p+2;  // the least double above 2 pi
-constexpr double rounded_max = 8;                      // all that is rounded here is less
+constexpr double rounded_max = 8;                      // upper bound of all numbers that are rounded here
 
 Integer magnitude_of(const Integer& x) {
     return x.sign() < 0 ? -x : x;
 }
 
-// Returns the sign of x^2 u - y^2 v for x between |x| - off and |x| + off and y alike; 0 if it is not certain.
+// Returns the sign of X^2 u - Y^2 v for all X within `off` of |x| and all Y within `off` of |y|; 0 if that is not
+// certain.
 int compare_squares(const Integer& x, const Integer& u, const Integer& y, const Integer& v, const Integer& off) {
     const auto square = [](const Integer& a) { return a * a; };
     const Integer size_x = magnitude_of(x), size_y = magnitude_of(y);
@@ -69,7 +71,7 @@ void require_time_of_turn(double time) {
     if (!is_from_zero(time) || key_of(time) > key_of(1.0)) throw invalid_time(time);
 }
 
-// Returns the magnitude of cos t or sin t times a root, sqrt(square / all), rounded once. t is positive.
+// Returns |cos t| or |sin t|, times sqrt(square / all), rounded once. t is positive.
 double rounded_product(const BinaryFraction& t, bool is_sine, const Integer& square, const Integer& all, double guess) {
     if (square.is_zero()) return 0;
     const auto compare_magnitude = [&](const BinaryFraction& m) {

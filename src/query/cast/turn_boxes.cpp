@@ -26,7 +26,8 @@ TurnBoxes::TurnBoxes(const Aabb& start, const Turn& turn)
     : angles_(turn.q.w, {turn.q.x, turn.q.y, turn.q.z}), glide_(turn.pivot_to - turn.pivot_from) {
     const Vec3 axis(angles_.axis()[0], angles_.axis()[1], angles_.axis()[2]);
     most_ = start.min.cwiseAbs().cwiseMax(start.max.cwiseAbs());
-    // Compared one by one, since NaN is below no limit. Differences of such numbers are below twice the limit.
+    // Compares coordinate by coordinate, since NaN then fails. Differences of moderate numbers are below twice the
+    // limit.
     const auto are_moderate = [](const Vec3& v) {
         return std::abs(v[0]) < end_max && std::abs(v[1]) < end_max && std::abs(v[2]) < end_max;
     };
@@ -47,7 +48,7 @@ TurnBoxes::TurnBoxes(const Aabb& start, const Turn& turn)
     radius_ += 32 * two_u * arm_;
     way_ = long_enough(glide_, glide_.cwiseAbs().sum());
     size_ = (start.max - start.min).maxCoeff();
-    // The greatest part of a length across the axis, on each axis (TurningCorners::margins).
+    // widths_[k] bounds coordinate k of a unit vector that is perpendicular to the axis (TurningCorners::margins).
     for (int k = 0; k < 3; ++k) {
         const double x = axis[(k + 1) % 3], y = axis[(k + 2) % 3];
         widths_[k] = std::sqrt(x * x + y * y) * (1 + 16 * two_u) + 0x1p-499;
@@ -70,7 +71,7 @@ TurnBoxes::Piece TurnBoxes::piece_between(double from, double to) const {
     if (!is_bounded_) return result;
     const exact::HalfAngle at_from = angles_.at(from), at_to = angles_.at(to);
     const exact::TurnPiece piece = angles_.piece(at_from, at_to);
-    // Divides the angle about in halves.
+    // The middle divides the angle into two parts of about the same size.
     result.middle = (from * at_to.length + to * at_from.length) / (at_from.length + at_to.length);
     const double condition = std::max(at_from.condition, at_to.condition);
     if (!(condition < exact::TurnAngles::condition_max) || !(piece.sagitta < no_end)) return result;

@@ -1,10 +1,10 @@
-// TurnBoxes computes boxes that contain a body while it turns, from a box that contains it at the start. They serve to
-// leave out bodies; no answer follows from a box.
+// TurnBoxes computes boxes that contain a body while it turns, from a box that contains it at the start. A world uses
+// the boxes only to exclude bodies that cannot meet; no answer follows from a box.
 //
-// Bound. Every point of the body is a convex combination of the corners p of the box at the start, and stays one of
-// their places x, as these are affine in p. Let c be the pivot, m its glide, g = p - c, and G >= |g| for all corners. c
-// and p are doubles; g and m are differences, off by u' of themselves. So x as computed (turning_points.hpp, with e_p =
-// 0, e_g = 1.01 u' G and e_m = 1.01 u' |m|) is off on each axis by less than
+// Bound. Every point of the body is a convex combination of the corners p of the box at the start, and remains the same
+// combination of the corners' places x, since these are affine in p. Let c be the pivot, m its glide, g = p - c, and G
+// >= |g| for all corners. c and p are doubles; g and m are differences, off by u' of themselves. So x as computed
+// (turning_points.hpp, with e_p = 0, e_g = 1.01 u' G and e_m = 1.01 u' |m|) is off on each axis by less than
 //     148 u' (1 + k) |sin| G + 7.2 u' (|p| + |m|)
 // of that axis; 256 and 16 in place of both factors cover the rounding of the bound. In a piece of the turn, every
 // point is within its distance from the axis times the sagitta, and |m| times the shift, of a chord of its places at
@@ -35,10 +35,10 @@ class TurnBoxes {
 
     // Calls found(from, box, may_divide) for the pieces of the time from 0 to `latest`, earliest first; `box` contains
     // the body in the piece, which begins at time `from`. If may_divide, the piece is long, and `found` may ask for its
-    // two parts. The box has no ends where no bound in doubles holds.
+    // two parts. The box is infinite if no bound in doubles holds.
     template <class Found>
     void visit(double latest, const Found& found) const {
-        std::vector<End> ends{{latest, 0}};  // of pieces; the next one is last
+        std::vector<End> ends{{latest, 0}};  // ends of the pieces left; the next one is last
         for (double from = 0; !ends.empty();) {
             const End end = ends.back();
             const Piece piece = piece_between(from, end.time);
@@ -72,7 +72,7 @@ class TurnBoxes {
     Piece piece_between(double from, double to) const;
     void include_places(const exact::HalfAngle& half, Aabb& box) const;
 
-    // Affects only the work: halves of halves of the way are tried so many times.
+    // Limits how often a piece is halved. Affects only the work.
     static constexpr int depth_max = 7;
 
     exact::TurnAngles angles_;

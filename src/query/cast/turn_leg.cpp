@@ -28,7 +28,7 @@ Vec3 rounded(const ScaledLongVector& num, const ScaledInteger& den) {
     return {rounded(num[0], den), rounded(num[1], den), rounded(num[2], den)};
 }
 
-// Returns the quaternion that turns from one to another, each component rounded once.
+// Returns the quaternion of the rotation from z0 to z1, each component rounded once.
 Quaternion quotient(const ExactQuaternion& z1, const ExactQuaternion& z0) {
     const ExactQuaternion z = times_conjugate(z1, z0);
     const ScaledInteger norm = z0.norm();
@@ -36,7 +36,7 @@ Quaternion quotient(const ExactQuaternion& z1, const ExactQuaternion& z0) {
     return {rounded(z.w, norm), v[0], v[1], v[2]};
 }
 
-// A turn of a body from its pose on.
+// True if the leg begins at the body's pose at the start.
 bool begins_at_start(const TurnLeg& leg) {
     return leg.from == Quaternion() && leg.pivot == leg.pivot_from;
 }
@@ -45,7 +45,8 @@ exact::Point point_of(const Vec3& v) {
     return {v[0], v[1], v[2]};
 }
 
-// Entries above 2^1020 bound nothing (turning_points.hpp), and sums of less do not overflow to anything but infinity.
+// Limits all entries to 2^1020. Bounds do not hold above it (turning_points.hpp); sums below it may overflow to
+// infinity only.
 void clamp(Pose& pose) {
     constexpr double unbounded = 0x1p1020;
     pose.R = pose.R.cwiseMax(-unbounded).cwiseMin(unbounded);
@@ -92,7 +93,8 @@ exact::PosedPoints<11> points_of(const TurnLeg& leg, const Pose& b, const Triang
     return points;
 }
 
-// With z the quaternion at the time and N its norm: Q(z) R / N, and c + s m + Q(z) (t - pivot) / N.
+// The pose at time s has the matrix Q(z) R / N and the translation c + s m + Q(z) (t - pivot) / N, with z the
+// quaternion at that time and N its norm.
 Pose pose_less(const TurnLeg& leg, double time, const Pose& other) {
     const ScaledInteger s(time);
     const ExactQuaternion z0 = exact_quaternion(leg.from), z1 = exact_quaternion(leg.to),

@@ -1,4 +1,4 @@
-// A TurnLeg is the part of a way between two nodes, exactly and as doubles.
+// A TurnLeg is the part of a way between two nodes; a RoundedLeg is such a part in doubles.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace ecods {
 
-// Says how a body turns from one quaternion to another. `start` is its pose at the start of the way, and `pivot` the
-// place of the pivot then. Meanwhile the other body is translated by `motion`.
+// Describes how a body turns from one quaternion to another. `start` is its pose at the start of the way, and `pivot`
+// the place of the pivot at that time. During the leg the other body is translated by `motion`.
 struct TurnLeg {
     Pose start;
     Vec3 pivot;
@@ -23,14 +23,14 @@ struct TurnLeg {
     Vec3 motion = Vec3::Zero();
 };
 
-// A turn is a leg that begins at 1.
+// Returns the leg of a turn: it begins with the quaternion 1.
 TurnLeg leg_of(const Pose& start, const Turn& turn, const Vec3& motion = Vec3::Zero());
 
 // Returns a leg of a way, from 0 to last_leg(). There must be at least two nodes.
 TurnLeg leg_of(const Pose& start, std::span<const WayNode> nodes, std::size_t leg);
 std::size_t last_leg(std::span<const WayNode> nodes) noexcept;
 
-// Names three vertices of each of two meshes.
+// Refers to the three corners of a triangle of each of two meshes.
 struct TriangleCorners {
     std::array<const Vec3*, 3> a, b;
 };
@@ -40,27 +40,28 @@ TriangleCorners corners_of(const Mesh& a, std::uint32_t triangle_a, const Mesh& 
 inline constexpr std::size_t origin_index = 8;
 exact::PosedPoints<11> points_of(const TurnLeg& leg, const Pose& b, const TriangleCorners& corners) noexcept;
 
-// Returns the pose at a time from 0 to 1 minus `other`, each entry rounded once; an entry that is not 0 is never
-// rounded to 0. The other body's motion does not matter.
+// Returns (the pose at `time`) - `other`, for a time from 0 to 1. Each entry is rounded once; an entry that is not 0 is
+// never rounded to 0. Ignores leg.motion.
 Pose pose_less(const TurnLeg& leg, double time, const Pose& other);
 
-// A leg in doubles. At its beginning, points of the body that turns are at those of pose `a`, off by at most `off` on
-// each axis, and the other body is at pose `b`; both poses are relative to the same point of the world. From there on
-// the body turns from 1 to q, each component rounded once. `pivot` is its place at the beginning, relative to the
-// translation of `a`, and `glide` its way beside the other body, each rounded once or twice.
+// A RoundedLeg is a leg in doubles. At its beginning, the body that turns is at pose `a`; its points there are off by
+// at most `off` on each axis. The other body is at pose `b`. Both poses are relative to the same point of the world.
+// From there on the body turns from the quaternion 1 to q, whose components are rounded once. `pivot` is the place of
+// the pivot at the beginning, relative to the translation of `a`; `glide` is the way of the pivot relative to the other
+// body. Both are rounded once or twice.
 //
-// Bound. Entries of `a` are rounded once, so a point R v + t is off by u' / 2 of |R| |v| + |t| at most, and 2^-1074 if
-// an entry is subnormal; u' covers that the magnitudes are rounded.
+// Bound. Entries of `a` are rounded once, so a point R v + t is off by at most u' / 2 of |R| |v| + |t|, and by 2^-1074
+// if an entry is subnormal. A factor of u' covers the rounding of the magnitudes, too.
 // Claim: verify/proofs/turn_pieces.md
 struct RoundedLeg {
     Pose a, b;
     double off = 0;
     Quaternion q;
     exact::Point pivot{}, glide{};
-    double way_size = 0;  // sum of magnitudes of both ways
+    double way_size = 0;  // sum of the magnitudes of the pivot's way and of the other body's motion
 };
 RoundedLeg round_leg(const TurnLeg& leg, const exact::MeshExtent& of_a, const Pose& b);
-// Returns the same without the turn and the pivot: both poses, and `off`.
+// Returns a RoundedLeg in which only `a`, `b` and `off` are set.
 RoundedLeg round_beginning(const TurnLeg& leg, const exact::MeshExtent& of_a, const Pose& b);
 
 }  // namespace ecods

@@ -14,17 +14,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// These numbers affect only the work, not the results; they are measured (tori of 400 to 14,400 triangles). The reach
-// is the size of both bodies, or the radius and the glide where these are less; of points, a part of all magnitudes. A
-// piece is divided at once if it leaves its straight motion by more than 2^-9 of the smaller body and more than 2^-13
-// of the reach; later, if it takes more than 512 steps and one for each eight triangles, and leaves it by more than
-// 2^-18 of the reach. A piece that leaves it by 2^-18 of a length is longer than 2^-8 of this length, so some hundred
-// pieces at most are near the other body. Of more than 2^13 triangles, each piece saves more work than it costs: the
-// way is divided at 2^-10 of the smaller body.
+// These numbers affect only the work, not the results; they were found by measurement (tori of 400 to 14,400
+// triangles). The reach is the size of both bodies together, or the radius and the glide together if they are less; for
+// points, it is a small part of all magnitudes. A piece is divided at once if it leaves its straight motion by more
+// than 2^-9 of the smaller body and by more than 2^-13 of the reach. It is divided during the search if this takes more
+// than 512 steps plus one for each eight triangles, and if the piece leaves its straight motion by more than 2^-18 of
+// the reach. A piece that leaves its straight motion by 2^-18 of a length is longer than 2^-8 of this length, so at
+// most some hundred pieces are near the other body. With more than 2^13 triangles, each piece saves more work than it
+// costs; so 2^-10 takes the place of 2^-9.
 constexpr double wide_part = 0x1p-9, wide_part_of_many = 0x1p-10;
 constexpr double wide_min = 0x1p-13, narrow_min = 0x1p-18, reach_min = 0x1p-30;
-// A length below this one is of the additions against underflow, not of the bodies (length_above()): the bodies are
-// then points, which no units make larger, and smaller pieces would be no nearer to straight.
+// A length below this one comes from what length_above() adds against underflow, not from the bodies. The bodies are
+// then points, which no change of units makes larger, and smaller pieces would be no nearer to straight.
 constexpr double narrowest = 0x1p-580;
 constexpr std::uint64_t step_min = 512, triangles_per_step = 8, many = std::uint64_t{1} << 13;
 
@@ -44,7 +45,7 @@ void TurnPieces::bind_bodies(const Bodies& bodies) {
     narrow_ = std::max(narrow_min * reach, narrowest);
 }
 
-// A time above `to` may round to it.
+// Extends the piece to two doubles above `to`, because a time above `to` may round to it.
 void TurnPieces::set_times(double from, double to) noexcept {
     from_ = from;
     to_ = std::min(1.0, next_up(next_up(to)));
@@ -54,7 +55,7 @@ void TurnPieces::set_bounds(const Bounds& bounds) noexcept {
     near_ = bounds.near;
     const double rounding = 512 * two_u * bounds.rounding;
     margin_ = bounds.is_bounded ? (near_ + rounding) * (1 + 16 * two_u) + 0x1p-600 : infinity;
-    // By parts only if all are far from infinity, whose product with zero is no bound.
+    // The margin is given by parts only if all parts are far from infinity: infinity times zero is no bound.
     if (margin_ < 0x1p900) {
         parts_ = bounds.parts;
         parts_.everywhere += rounding * (1 + 16 * two_u) + 0x1p-600;
@@ -77,7 +78,7 @@ void TurnPieces::set_places(const Places& a, const Places& b, const Vec3& betwee
 }
 
 std::optional<float> TurnPieces::first_of_boxes() {
-    // Floats cannot hold the way of a body whose pivot is very far: balls around both bodies come first.
+    // Compares balls around both bodies first, because floats cannot hold the way of a body whose pivot is very far.
     const double reach = (balls_ + margin_) * (1 + 16 * two_u);
     for (int k = 0; k < 3; ++k) {
         const auto [low, high] = std::minmax(gaps_[0][k], gaps_[1][k]);
@@ -86,7 +87,8 @@ std::optional<float> TurnPieces::first_of_boxes() {
     return first_of_roots(axes_, trees_[0], trees_[1]);
 }
 
-// Divides the angle about in halves.
+// Returns the time that divides the angle into two parts of about the same size; the middle of the time if rounding
+// puts that time outside the piece; nullopt if the middle is outside, too.
 std::optional<double> TurnPieces::find_middle() const noexcept {
     const double of_angle = (from_ * lengths_[1] + to_ * lengths_[0]) / (lengths_[0] + lengths_[1]);
     const auto is_inside = [&](double s) { return s > from_ && next_up(next_up(s)) < to_; };
@@ -101,8 +103,8 @@ double TurnPieces::time_of(float bound) const noexcept {
     return std::max(from_, next_down(from_ + (to_ - from_) * times_.earliest(way)));
 }
 
-// The way l at the part t of a piece's time is at most t / (pace (1 - t) + t): the claim of TurnPiece has the proof. A
-// time above `time` may round to it.
+// At the part t of a piece's time, the straight motion has gone at most the part t / (pace (1 - t) + t) of its way: the
+// claim of TurnPiece has the proof. The bound is that of the next double, because a time above `time` may round to it.
 float TurnPieces::bound_of(double time) const noexcept {
     const double last = next_up(time);
     if (!(last < to_)) return 1;

@@ -1,4 +1,5 @@
-// TurnPieces is a motion of two bodies of which one turns, or both, in one piece of time after the other.
+// TurnPieces is the motion of two bodies, of which one or both turn, in a piece of the time. A search sets one piece
+// after the other.
 #pragma once
 
 #include <array>
@@ -14,18 +15,19 @@
 namespace ecods {
 
 // In a piece all points of the bodies are within a margin of straight motions, which the axes of motion_axes.hpp bound.
-// The margin is that of the points that are farthest from an axis of a turn, and falls as the square of the piece's
-// angle. An arc leaves its chord across the axis of its turn only, and a glide is off along itself. A motion derives
-// from this class, and binds its bodies and its pieces.
+// The points that are farthest from the axis of a turn determine the margin; it falls as the square of the piece's
+// angle. An arc leaves its chord only perpendicular to the axis of the turn, and a glide leaves its straight motion
+// only along itself. Motions derive from this class, and bind the bodies and the pieces.
 // Claim: verify/proofs/turn_pieces.md
 class TurnPieces {
   public:
-    // Returns a lower bound, on the axes, of the time in the piece at which the boxes of the bodies meet; nullopt if
-    // they do not.
+    // Returns a lower bound of the first meeting of the bodies' boxes in the piece, as time_of() takes it; nullopt if
+    // they do not meet.
     std::optional<float> first_of_boxes();
-    // True if the piece should be divided before it is searched, because it is far from straight, beside the bodies.
+    // True if the piece should be divided before it is searched, because it is far from straight relative to the size
+    // of the bodies.
     bool is_wide() const noexcept { return middle_ && near_ > wide_; }
-    // Returns a time inside of the piece; nullopt if it should not be divided.
+    // Returns the time at which to divide the piece; nullopt if it should not be divided.
     const std::optional<double>& middle() const noexcept { return middle_; }
 
     // MeetingQuestion calls the following functions.
@@ -34,15 +36,15 @@ class TurnPieces {
     double begin() const noexcept { return from_; }
     double time_of(float bound) const noexcept;
     float bound_of(double time) const noexcept;
-    // Counts a step of the search of this piece. A piece that takes too many should be divided; a piece that may not be
-    // divided takes any number.
+    // Counts a step of the search of this piece. Returns false after too many steps, so that the piece is divided; a
+    // piece that should not be divided may take any number of steps.
     bool may_go_on() noexcept { return ++step_count_ <= step_max_; }
     // True if the search of the piece was given up.
     bool is_given_up() const noexcept { return step_count_ > step_max_; }
 
   protected:
-    // Both bodies: half the sizes of boxes around them at the start, how far their points may go, and the sum of the
-    // magnitudes of their coordinates.
+    // Describes both bodies. half_a and half_b are half the sizes of boxes around them at the start; `travel` bounds
+    // how far their points may go, and `size` is the sum of the magnitudes of their coordinates.
     struct Bodies {
         const MeshShape &a, &b;
         Vec3 half_a, half_b;
@@ -53,15 +55,15 @@ class TurnPieces {
     // Sets the time of the piece. set_bounds() and set_places() must follow.
     void set_times(double from, double to) noexcept;
 
-    // Bounds of a piece.
+    // Holds bounds that are valid in a piece.
     struct Bounds {
-        double near;                    // distance of the bodies from straight motions
+        double near;                    // upper bound of the bodies' distance from straight motions
         MotionMargin parts;             // the same by parts
         double rounding;                // places are off by at most 512 u' times this
-        double pace;                    // of the straight motions: TurnPiece has it
+        double pace;                    // pace of the straight motions (TurnPiece)
         bool is_bounded;                // true if places are bounded, and the rotations known at both ends
         bool may_divide;                // true if places are bounded, and each rotation is known at one end at least
-        std::array<double, 2> lengths;  // of the quaternions whose angle is divided, at both ends
+        std::array<double, 2> lengths;  // lengths at both ends of the quaternions whose angle is divided
     };
     void set_bounds(const Bounds& bounds) noexcept;
     // Binds the straight motions, between places at both ends; `between` is the vector from the translation of a's pose
@@ -79,8 +81,8 @@ class TurnPieces {
     double wide_ = 0, narrow_ = 0;
     double balls_ = 0;                     // sum of the radii of these balls
     std::array<Vec3, 2> gaps_{};           // from the center of b's ball to that of a's, at both ends
-    exact::TurnPiece times_;               // has the pace
-    std::array<double, 2> lengths_{1, 1};  // Bounds has them
+    exact::TurnPiece times_;               // only its pace is set
+    std::array<double, 2> lengths_{1, 1};  // see Bounds
     double near_ = 0;                      // upper bound of the distance from the straight motions, without rounding
     double margin_ = 0;
     MotionMargin parts_;  // no more than margin_ in any direction

@@ -1,4 +1,4 @@
-// Poses of turning bodies. Poses are computed in integers and rounded once.
+// Computes poses of bodies that turn, in integers and rounded once, and the turn between two poses, in doubles.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 const Pose no_pose{Mat3::Zero(), Vec3::Zero()};
 
-// Returns K of between(). The matrices are scaled before, so that products neither overflow nor underflow.
+// Returns the matrix K of between(). Both matrices are scaled first, so that products neither overflow nor underflow.
 std::array<std::array<double, 3>, 3> rotation_between(const Mat3& from, const Mat3& to) {
     const double size_from = from.cwiseAbs().maxCoeff(), size_to = to.cwiseAbs().maxCoeff();
     std::array<std::array<double, 3>, 3> K;
@@ -47,8 +47,8 @@ Pose pose_at(const Pose& pose, const Turn& turn, double time) {
     return pose_less(leg_of(pose, turn), time, no_pose);
 }
 
-// The difference of both places of v is D v + d. Each of its entries is rounded once, and products and sums as computed
-// are off by less than 5 u' of the sum of magnitudes.
+// The two places of a vertex v differ by D v + d, where D and d are the difference of the poses. Each entry of D and d
+// is rounded once, and products and sums as computed are off by less than 5 u' of the sum of magnitudes.
 // Claim: verify/proofs/turn_pieces.md
 double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const Pose& to) {
     validate(from);
@@ -63,7 +63,7 @@ double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const
         const Vec3 gap = difference.R * v + difference.t;
         const Vec3 off = 8 * two_u * (size * v.cwiseAbs() + difference.t.cwiseAbs());
         const Vec3 above = gap.cwiseAbs() + off;
-        // The sum is an upper bound, too, where squares may overflow.
+        // Where squares may overflow, the sum of the coordinates is the upper bound.
         const double sum = above.sum(), length = sum < 0x1p500 ? std::sqrt(above.squaredNorm()) : sum;
         if (!(length <= most)) most = length;
     });
@@ -72,8 +72,8 @@ double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const
 }
 
 // Let K be R1 R0^T, divided by the root of a third of its sum of squares: for poses that differ by a rotation, this
-// rotation. The quaternion is that of Shepperd's method (Quaternion from rotation matrix, 1978): the largest of the
-// four components is computed first.
+// rotation. Its quaternion is computed by Shepperd's method (Quaternion from rotation matrix, 1978): the largest of the
+// four components comes first.
 Turn between(const Pose& from, const Pose& to, const Vec3& pivot_in_body) {
     validate(from);
     validate(to);

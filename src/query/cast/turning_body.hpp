@@ -1,5 +1,5 @@
-// TurningBody is a body that turns, as the search of a piece of its turn sees it: its places, and bounds of its size
-// and its way.
+// TurningBody computes the places of a body that turns, and bounds its size and its way. The search of a piece of a
+// turn needs no more of the body.
 #pragma once
 
 #include <algorithm>
@@ -17,28 +17,31 @@ inline double sum_of(const Vec3& v) {
     return v.cwiseAbs().sum();
 }
 
-// Returns an upper bound of the length; where its square may overflow, the sum of magnitudes.
+// Returns an upper bound of the length of v. Where the square of the length may overflow, it is the sum of magnitudes.
 double length_above(const Vec3& v);
 
 // All places are relative to the translation of the body's pose at the start.
 //
-// Bound. Each entry of a place is computed like a corner in turning_points.hpp, from exact numbers, or from a pivot
-// that is off by u' of itself: it is off by less than u' (140 (1 + k) |sin| + 8) times the sum of magnitudes of its
-// column; for the translation, these are the pivot's, times 140 (1 + k) |sin| alone, and the glide's. A leg that does
-// not begin at a pose of doubles (turn_leg.hpp) adds u' / 2 of its entries, and of its translation. With the sum of
-// such errors of a point, of its distance in place of its coordinates (a factor of sqrt(3)), and of the distance of
-// both poses, this is less than 512 u' times the sum of magnitudes at rest and of the glide so far, and (1 + k) |sin|
-// times the sum of magnitudes of what turns. About half of it is left over, for a center of the body that is posed so,
-// and its distance from the other center. If both bodies turn, each adds its own.
+// Bound. Each entry of a place is computed like a corner in turning_points.hpp, from exact numbers or from a pivot that
+// is off by u' of itself. An entry of the matrix is off by less than u' (140 (1 + k) |sin| + 8) times the sum of the
+// magnitudes of its column. An entry of the translation is off by 140 u' (1 + k) |sin| times the sum of the pivot's
+// magnitudes, and by 8 u' times that of the glide. A leg that does not begin at a pose of doubles (turn_leg.hpp) adds
+// u' / 2 of the entries and of the translation.
+//
+// Let S be the sum of the magnitudes at rest and of the glide so far, and T the sum of the magnitudes of what turns.
+// Then points are off, in distance, by less than 512 u' (S + (1 + k) |sin| T). This includes a factor of sqrt(3) from
+// coordinates to distances, and the rounding of the distance of both poses. About half of the bound is left over: it
+// covers the center of the body, which is posed in the same way, and the distance from the other body's center. If both
+// bodies turn, each adds its own bound.
 // Claim: verify/proofs/turn_pieces.md
 struct TurningBody {
-    // `beside` is the distance to which rounding adds: the vector to the other body. `way_size` is the sum of the
-    // magnitudes of all ways that `glide` is the difference of.
+    // `way` is the glide. `size_of_way` is the sum of the magnitudes of the ways whose difference is the glide.
+    // `beside` is the vector to the other body; its size adds to rounding errors.
     void bind(const MeshTree& tree, const Mat3& R, const exact::TurnAngles& turn_angles, const Vec3& pivot_at_start,
               const Vec3& way, double size_of_way, const Vec3& beside);
 
-    // Throws NotSupported beyond the limits up to which bounds in doubles exclude anything; beyond them, all pairs of
-    // triangles would be decided exactly. `sizes` is that of both bodies.
+    // Throws NotSupported if the turn or its size is beyond the limits up to which bounds in doubles exclude anything:
+    // all pairs of triangles would be decided exactly. `sizes` is the size of both bodies together.
     void require_moderate(double sizes) const;
 
     struct Place {
@@ -49,9 +52,9 @@ struct TurningBody {
 
     // Returns the margin of points that leave their chords by `sagitta` times their distance from the axis.
     MotionMargin::Across across(double sagitta) const;
-    // True if places are bounded at times at which the rotation is known.
+    // True if the error bounds of places hold at all times at which the rotation is known.
     bool is_bounded() const noexcept { return angles->is_bounded() && size + arm + way_size < 0x1p1000; }
-    // Returns what 512 u' is multiplied with to bound the places between two times.
+    // Returns the factor of 512 u' in the error bound of all places between two times.
     double rounding(const exact::HalfAngle& from, const exact::HalfAngle& to) const noexcept {
         const double condition = std::max(from.condition, to.condition);
         const double turned = (1 + condition) * std::max(std::abs(from.sin), std::abs(to.sin)) * (size + arm);

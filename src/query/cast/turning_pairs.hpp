@@ -1,5 +1,5 @@
-// TurningPairs finds when pairs of triangles first share a point, one of a mesh that turns and one of a mesh that is
-// translated or at rest, by bounds and exactly.
+// TurningPairs finds when pairs of triangles of two meshes first share a point, by bounds and exactly. The first mesh
+// turns; the second one is translated or at rest.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ namespace ecods {
 
 class TurningPairs {
   public:
-    // Binds a mesh that turns, and another one. All arguments must outlive this object.
+    // Binds mesh a, which turns, and mesh b. All arguments must outlive this object.
     void bind(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, CastCounts& counts);
 
-    // Both do what those of MovingPairs do.
+    // Do the same as the functions of these names in MovingPairs.
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 

@@ -10,7 +10,7 @@
 
 namespace ecods {
 
-// A turn, for MeetingQuestion.
+// TurnMotion is the Motion of MeetingQuestion for a body that turns.
 //
 // In a piece every point of the body is within a margin of a straight motion (turning_points.hpp).
 // Claim: verify/proofs/turn_pieces.md
@@ -19,7 +19,7 @@ class TurnMotion : public TurningPairs, public TurnPieces {
     // Binds the bodies. All arguments must outlive this object.
     void bind(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, CastCounts& counts);
 
-    // Binds the time between two times.
+    // Restricts the motion to the piece between two times.
     void set_piece(double from, double to);
 
   private:

@@ -25,7 +25,7 @@ void require_finite(const WayNode& node, std::size_t index) {
     }
 }
 
-// True if w is positive and all else is zero.
+// True if q makes no rotation: w is positive, and x, y and z are zero.
 bool is_at_start(const Quaternion& q) noexcept {
     return key_of(q.w) > 0 && is_zero(Vec3(q.x, q.y, q.z));
 }
