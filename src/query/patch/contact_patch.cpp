@@ -30,7 +30,7 @@ void require_valid(const PatchLimits& limits) {
     }
 }
 
-// Returns the shape, if it is a convex solid, or its core, if this is convex; otherwise null.
+// Returns a convex solid itself, and the core of a Rounded if the core is convex; otherwise null.
 const MeshShape* find_core(const Shape& shape) noexcept {
     const auto* const rounded = dynamic_cast<const Rounded*>(&shape);
     if (rounded != nullptr) return convex::is_convex_core(rounded->core()) ? &rounded->core() : nullptr;
@@ -51,8 +51,8 @@ double radius_of(const Shape& shape) noexcept {
     return rounded != nullptr ? rounded->radius() : 0;
 }
 
-// Returns the patch of two spheres or capsules that has one corner, if fixed precision decides it. A patch with a
-// corner for each of some tilted features, or of parallel segments, is left to the hulls.
+// Returns the patch of two spheres or capsules if it has one corner and fixed precision decides it; otherwise nullopt.
+// Patches of parallel segments, and of features within a tilt, are left to patch_of_hulls().
 std::optional<ContactPatch> find_fixed(const Posed<Shape>& a, const Posed<Shape>& b, const PatchLimits& limits) {
     const auto* const x = dynamic_cast<const Rounded*>(a.what);
     const auto* const y = dynamic_cast<const Rounded*>(b.what);
@@ -68,7 +68,8 @@ std::optional<ContactPatch> find_fixed(const Posed<Shape>& a, const Posed<Shape>
     return patch;
 }
 
-// Exchanges the bodies of a patch with a half space, whose one feature leaves the first corner the first.
+// Exchanges the bodies of a patch with a half space. The first corner remains the first, since a half space has only
+// one feature.
 void exchange(ContactPatch& patch) {
     for (double& x : patch.normal) x = opposite(x);
     for (PatchCorner& corner : patch.corners) {

@@ -1,10 +1,11 @@
-// Answers where two bodies first touch after a translation, and along which normal.
+// Computes where two bodies first touch while one is translated, and along which normal.
 //
 // Time and point. With w from the first corner of a's feature to that of b's, edges u of a and v of b, a face's normal
 // n, and the motion m, the features share a point at the time
 //
 //     vertex and face  n.w / n.m       edges  (u x v).w / (u x v).m, at y + t v with t = (u x m).w / (u x v).m
-//     vertex and edge  the quotient of a coordinate of w x e and of m x e       vertices  of one of w and of m
+//     vertex and edge  one coordinate of w x e over that of m x e, with e the edge      vertices  one of w over that of
+//     m
 //
 // Normal. Let x be the common point. The vectors n with n.(p - x) <= 0 for all corners p of a triangle of a, and n.(q -
 // x) >= 0 for all corners q of a triangle of b, are a closed convex cone. A time h before the contact, the shortest
@@ -42,7 +43,7 @@ ScaledLongVector negated(const ScaledLongVector& v) {
     return {-v[0], -v[1], -v[2]};
 }
 
-// A triangle of a posed mesh, with exact corners.
+// Returns the exact corners of a triangle of a posed mesh.
 std::array<ScaledLongVector, 3> corners_of(const Posed<MeshShape>& body, std::uint32_t triangle) {
     const Mesh& mesh = body.what->mesh();
     std::array<ScaledLongVector, 3> corners;
@@ -52,7 +53,7 @@ std::array<ScaledLongVector, 3> corners_of(const Posed<MeshShape>& body, std::ui
     return corners;
 }
 
-// A feature with its corners: the vertex; the ends of the edge; the corners of the face.
+// ExactFeature is a feature with its exact corners: first the vertex, the ends of the edge, or the corners of the face.
 struct ExactFeature {
     ExactFeature(const Posed<MeshShape>& body, const Feature& feature) : kind(feature.kind) {
         const auto all = corners_of(body, feature.triangle);
@@ -65,13 +66,13 @@ struct ExactFeature {
     std::array<ScaledLongVector, 3> at;
 };
 
-// The time and the common point, over one denominator > 0.
+// ExactContact holds the time and the common point of a contact, both over one denominator > 0.
 struct ExactContact {
     ScaledInteger time, den;
     ScaledLongVector point;
 };
 
-// Returns the place of the first coordinate that is not zero; 3 if all are.
+// Returns the index of the first coordinate that is not zero; 3 if all are zero.
 std::size_t axis_of(const ScaledLongVector& v) noexcept {
     std::size_t k = 0;
     while (k < 3 && v[k].sign() == 0) ++k;
@@ -113,7 +114,7 @@ std::optional<ExactContact> find_contact(const ExactFeature& a, const ExactFeatu
     return contact;
 }
 
-// A vector v and its squared length, times factors: c = v num / den, and |c|^2 = square / of_square.
+// Projection is a vector c of the cone: a positive multiple of v, with |c|^2 = square / of_square.
 struct Projection {
     ScaledLongVector v;
     ScaledInteger square, of_square;
@@ -123,7 +124,7 @@ struct Projection {
     }
 };
 
-// Returns the projection of m onto the vectors n with n.g <= 0 for all generators g; nullopt if it is zero.
+// Returns the projection of m onto the cone of all vectors n with n.g <= 0 for all generators g; nullopt if it is zero.
 std::optional<Projection> project(const ScaledLongVector& m, std::span<const ScaledLongVector> generators) {
     std::optional<Projection> best;
     const auto offer = [&](Projection next) {
@@ -149,14 +150,14 @@ std::optional<Projection> project(const ScaledLongVector& m, std::span<const Sca
     return best;
 }
 
-// True if the body is a surface, a segment or a point, which zero-area triangles are part of.
+// True if triangles without area are part of the body: it is a surface, a segment or a point.
 bool has_flat_triangles(const MeshShape& shape) {
     return shape.form() == MeshForm::surface ||
            (shape.form() == MeshForm::convex && static_cast<const ConvexSolid&>(shape).dimension() < 2);
 }
 
-// The vectors from the common point to the corners of each triangle of a body that contains the feature, times the
-// denominator. Corners with equal coordinates are one vertex.
+// Returns, for each triangle of a body that contains the feature, the vectors from the common point to its corners,
+// times the denominator. `motion` is null for a body at rest. Corners with equal coordinates are one vertex.
 std::vector<std::array<ScaledLongVector, 3>> triangles_at(const Posed<MeshShape>& body, const Feature& feature,
                                                           const ExactContact& contact, const ScaledLongVector* motion) {
     const Mesh& mesh = body.what->mesh();

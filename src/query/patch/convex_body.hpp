@@ -1,4 +1,4 @@
-// A convex body of a patch: a convex core, and a radius.
+// ConvexBody is a body of a contact patch: a convex core with a radius around it.
 #pragma once
 
 #include "ecods/pose.hpp"
@@ -8,8 +8,8 @@
 namespace ecods::patches {
 
 struct ConvexBody {
-    // Throws NotSupported, with the number of the argument, unless the shape is a ConvexSolid, or Rounded with such a
-    // core or one triangle; this is then made a flat ConvexSolid.
+    // Takes a ConvexSolid, or a Rounded whose core is a ConvexSolid or a mesh of one triangle; such a mesh becomes a
+    // flat ConvexSolid. Throws NotSupported for other shapes, and names the argument: the first (0) or second (1) body.
     ConvexBody(const Posed<Shape>& posed, int argument);
 
     Posed<ConvexSolid> core;

@@ -10,10 +10,10 @@
 namespace ecods::patches {
 namespace {
 
-// The places of a closed edge, in its direction.
+// Names the places on a closed edge, in its direction.
 enum class Place : std::uint8_t { beginning, inside, end };
 
-// The corners on the closed edge of a polygon.
+// Holds the corners of the patch that are on one closed edge of a polygon.
 struct Side {
     struct End {
         std::size_t corner;
@@ -42,7 +42,7 @@ class Ring {
         }
     }
 
-    // Returns the corners' numbers in the order around the normal.
+    // Returns the indices of the corners in their order around the normal, beginning with `first`.
     std::vector<std::size_t> from(std::size_t first, const std::function<int(const HullFeaturePair&)>& turn) const {
         std::vector<std::size_t> order{first};
         std::size_t last = first, at = neighbors_[first].at[0];
@@ -66,7 +66,7 @@ class Ring {
         std::size_t count = 0;
 
         void add(std::size_t corner) noexcept {
-            // Two corners may be on an edge of each polygon.
+            // Two corners may be on one edge of each polygon, so that the second edge links them again.
             if (std::find(at.begin(), at.begin() + count, corner) != at.begin() + count) return;
             ECODS_ASSERT(count < 2);
             at[count++] = corner;
@@ -93,7 +93,7 @@ class Ring {
         known_ = x.place < y.place ? Step(x.corner, y.corner) : Step(y.corner, x.corner);
     }
 
-    // Returns the step from a crossing of two edges, where the way leaves along the edge that turns left.
+    // Returns the step from a corner where two edges cross: it goes along the edge that turns left.
     Step direction_at(std::size_t corner, const std::function<int(const HullFeaturePair&)>& turn) const {
         const std::size_t of = turn(corners_[corner]) > 0 ? 1 : 0;
         const Side& side = sides_[of][polygons_[of].index_of(corners_[corner][of])];

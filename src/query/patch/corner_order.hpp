@@ -1,14 +1,15 @@
 // Orders the corners of a patch around its normal, without looking at coordinates.
 //
-// Seen along the normal, a patch is the intersection of two convex polygons. Let it have three corners or more: then it
-// has an area, and both polygons are faces. Each of its sides is on an edge of one of the polygons, whose line has all
-// of the patch on one side. So this closed edge contains the two ends of the side, and no third corner. Conversely, if
-// two corners are on one closed edge, the patch has no points beyond its line, and they are the ends of a side. Hence
-// two corners are neighbors if and only if some closed edge of a polygon contains both.
+// Seen along the normal, a patch is the intersection of two convex polygons. Let the patch have three corners or more.
+// Then it has an area, both polygons are faces, and each side of the patch is on an edge of one of the polygons. All of
+// the patch is on one side of the line of this edge. So the closed edge contains the two ends of the side, and no third
+// corner. Conversely, if two corners are on one closed edge, the patch has no points beyond its line, and they are the
+// ends of a side. Hence two corners are neighbors if and only if some closed edge of a polygon contains both.
 //
-// The direction follows from any side whose ends are at different places of their edge: its beginning, its inside and
-// its end. If there is none, all corners are crossings of two edges u and v, each directed counterclockwise. The patch
-// is on the left of both; so if v turns left from u, the way around the patch arrives along u and leaves along v.
+// The direction follows from any side whose ends are at different places of their edge: at its beginning, inside, or at
+// its end. If there is no such side, all corners are crossings of two edges u and v, each directed counterclockwise.
+// The patch is on the left of both; so if v turns left from u, the way around the patch arrives along u and leaves
+// along v.
 #pragma once
 
 #include <array>
@@ -23,9 +24,9 @@ namespace ecods::patches {
 using convex::HullFeaturePair;
 using Polygons = std::array<Polygon, 2>;
 
-// Puts the corners, which are all of the intersection, in counterclockwise order around the normal. The one at `first`
-// becomes the first. turn(pair) must return, for two edges that cross, the sign of the turn from the first polygon's
-// edge to the second's, each in the direction of its polygon.
+// Puts the corners in counterclockwise order around the normal; they must be all corners of the patch. The corner at
+// index `first` becomes the first one. turn(pair) must return, for two edges that cross, the sign of the turn from the
+// first polygon's edge to the second's, each in the direction of its polygon.
 void order_around(const Polygons& polygons, std::size_t first, std::vector<HullFeaturePair>& corners,
                   const std::function<int(const HullFeaturePair&)>& turn);
 

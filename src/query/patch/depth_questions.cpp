@@ -1,4 +1,5 @@
-// The depth of two convex solids with its two points, and along a direction.
+// Answers depth_points() and depth_along(): how deep two convex solids overlap, with the deepest points, and along a
+// direction.
 #include <optional>
 
 #include "ecods/contact.hpp"

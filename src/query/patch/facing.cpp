@@ -17,7 +17,7 @@ using exact::dot;
 using exact::minus;
 using Kind = Feature::Kind;
 
-// The square of a cosine or sine, num / (den n . n).
+// Square is the square of a cosine or sine: num / (den n . n), with n the normal.
 struct Square {
     ScaledInteger num, den;
 };
@@ -27,7 +27,8 @@ class Facing {
     Facing(const HullInSpace& body, const ExactNormal& normal, bool is_against, double min_cos_squared)
         : body_(body), hull_(body.hull), normal_(normal), is_against_(is_against), limit_(min_cos_squared) {}
 
-    // Returns the face of the greatest cosine; of ties the first, since lesser indices are lesser names.
+    // Returns the face with the greatest cosine, if it is within the tilt. Among equal cosines it is the face with the
+    // least index, which has the least name.
     std::optional<HullFeature> face_at(const HullFeature& support) const {
         std::optional<Square> best;
         HullFeature result{Kind::face, 0};
@@ -41,7 +42,8 @@ class Facing {
         return best ? std::optional(result) : std::nullopt;
     }
 
-    // Returns the edge at a vertex that has the least sine against the plane across the normal.
+    // Returns the edge at a vertex with the least angle to the plane perpendicular to the normal, if it is within the
+    // tilt.
     std::optional<HullFeature> edge_at(std::uint32_t vertex) const {
         const ScaledInteger most = ScaledInteger(1.0) - limit_;
         std::optional<Square> best;
@@ -61,7 +63,7 @@ class Facing {
 
   private:
     // Returns the square of the cosine of the angle between a face's outer normal and the normal out of this body;
-    // nullopt if the cosine is not positive. A polygon has outer normals on both sides.
+    // nullopt if the cosine is not positive. A flat hull has outer normals on both sides.
     std::optional<Square> cosine_of(std::uint32_t face) const {
         const ScaledLongVector m = face_normal(body_, face);
         const ScaledInteger along = dot(m, normal_.n);

@@ -1,4 +1,4 @@
-// Finds the feature of a convex body that faces a normal within a tilt, where the support feature is an edge or a
+// Finds the face or edge of a convex body that faces a normal within a tilt, if the support feature is an edge or a
 // vertex.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace ecods::patches {
 
-// A hull at its pose.
+// HullInSpace is a hull at its pose.
 struct HullInSpace {
     HullInSpace(const convex::Hull& of, const Mesh& vertices, const Pose& at, bool reflects) noexcept
         : hull(of), mesh(vertices), pose(at), is_mirrored(reflects) {}
@@ -25,8 +25,8 @@ struct HullInSpace {
 // Returns a normal of a face: the cross product of two vectors between the first three vertices of its cycle.
 ScaledLongVector face_normal(const HullInSpace& body, std::uint32_t face);
 
-// Returns the feature as a polygon, counterclockwise around the normal. It is extreme along the normal, or against it
-// if `is_against`. `normal` is used only for the face of a polygon, which has two sides.
+// Returns the feature as a polygon, counterclockwise around the normal. The feature must be extreme along the normal,
+// or against it if `is_against`. `normal` is used only for the face of a flat hull, which has two sides.
 Polygon polygon_of(const HullInSpace& body, const HullFeature& part, const ExactNormal& normal, bool is_against);
 
 // Returns the face or edge that replaces a support feature by the rule of PatchLimits::min_cos_squared; the support

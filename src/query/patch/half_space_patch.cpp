@@ -71,7 +71,7 @@ class PlanePatch {
     }
 
   private:
-    // Returns the sign of the height of one vertex less that of another.
+    // Returns the sign of (height of vertex x) - (height of vertex y).
     int compare_heights(std::uint32_t x, std::uint32_t y) const {
         const HeightBounds a = heights_.bounds(hull_.vertex(x)), b = heights_.bounds(hull_.vertex(y));
         if (a.low > b.high) return 1;
@@ -87,8 +87,8 @@ class PlanePatch {
         });
     }
 
-    // Returns the vertices of the feature counterclockwise around the normal, the lowest first; of ties, the first by
-    // name. Vertices of a support feature are equally low.
+    // Returns the vertices of the feature counterclockwise around the normal, the lowest first; among equally low ones,
+    // the least index. `is_tilted` must be false only for a support feature: all its vertices are equally low.
     std::vector<std::uint32_t> corners_of(const HullFeature& feature, bool is_tilted) const {
         std::vector<std::uint32_t> vertices;
         for (const auto& at : polygon_of(hull_, feature, normal_, false).corners) vertices.push_back(at.vertex);
@@ -100,7 +100,7 @@ class PlanePatch {
         return vertices;
     }
 
-    // The foot of a vertex p at height h, times |N|, is p - h N / N.N.
+    // A vertex p whose height, times |N|, is h has the foot p - h N / N.N.
     LongCorner corner(std::uint32_t vertex) const {
         const half_spaces::Plane::Exact& exact = plane_.exact();
         LongCorner result;

@@ -7,8 +7,8 @@
 
 namespace ecods::patches {
 
-// Returns the patch, with the body as the first one; the limits must be valid. `argument` is the number of the half
-// space in the question, which a SingularPose names.
+// Returns the patch, with the body as the first and the half space as the second one; the limits must be valid.
+// `argument` is the number of the half space in the caller's question, so that a SingularPose names the right body.
 ContactPatch patch_on_plane(const ConvexBody& body, const Posed<HalfSpace>& half_space, int argument,
                             const PatchLimits& limits);
 

@@ -67,7 +67,7 @@ class HullsPatch {
         return {polygon_of({hulls_, 0}, parts[0], normal_, false), polygon_of({hulls_, 1}, parts[1], normal_, true)};
     }
 
-    // True if the pair x is before y by the order of ClosestPoints.
+    // True if pair x comes before pair y in the order of ClosestPoints.
     bool is_before(const HullFeaturePair& x, const HullFeaturePair& y) const {
         const auto names = [&](const HullFeaturePair& pair) {
             const convex::HullFeatures found = features_of(hulls_, pair);
@@ -76,7 +76,7 @@ class HullsPatch {
         return rank(names(x)) < rank(names(y));
     }
 
-    // Support features: all gaps are equal.
+    // Makes the patch of the support features; all its gaps are equal.
     void use_least() {
         if (is_gap_too_large()) return;
         convex::list_least(hulls_, least_, pairs_);
@@ -101,7 +101,7 @@ class HullsPatch {
                      [&](std::size_t i) { return seen.corner(pairs_[i]).at[0]; });
     }
 
-    // Rounding keeps order, so that the rounded gap decides unless it equals the limit.
+    // Compares the gap with max_gap. Rounding is monotonic, so the rounded gap decides unless it equals the limit.
     bool is_gap_too_large() {
         const std::int64_t gap = key_of(patch_.distance), limit = key_of(limits_.max_gap);
         if (gap != limit || limit == infinity_key) return gap > limit;
@@ -131,7 +131,7 @@ class HullsPatch {
                                    });
     }
 
-    // Features that face the normal within the tilt: each corner has a gap of its own.
+    // Makes the patch of features that face the normal within the tilt; each corner has a gap of its own.
     void use_facing(const HullFeaturePair& facing) {
         const Polygons polygons = polygons_of(facing);
         SeenAlong seen(hulls_, polygons, normal_);

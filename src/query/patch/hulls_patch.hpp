@@ -1,4 +1,4 @@
-// Computes the contact patch of two posed hulls, with radii around them.
+// Computes the contact patch of two posed hulls with radii around them.
 #pragma once
 
 #include "ecods/contact.hpp"
@@ -8,12 +8,13 @@
 
 namespace ecods::patches {
 
-// Returns the patch; the limits must be valid. Starts from the witness, and leaves one.
+// Returns the patch; the limits must be valid. The search starts from `witness`, and sets it to the pair that it found.
 ContactPatch patch_of_hulls(convex::PosedHulls& hulls, const exact::Radii& radii, const PatchLimits& limits,
                             QueryMemory& memory, PairWitness& witness);
 
-// Removes the corners that max_corners leaves out, of corners in order. point(i) must return the exact position of
-// corner i, of either body. Sets corner_count.
+// Sets corner_count to the number of corners, and then removes those that choose_corners() leaves out; max_corners = 0
+// keeps all. The corners must be in order around the normal. point(i) must return the exact position of corner i on
+// either body.
 template <class Point>
 void keep_corners(ContactPatch& patch, std::uint32_t max_corners, const ScaledLongVector& normal, const Point& point) {
     patch.corner_count = static_cast<std::uint32_t>(patch.corners.size());

@@ -1,4 +1,4 @@
-// Answers where bodies that turn, or that move from pose to pose, first touch, and along which normal.
+// Computes where bodies that turn, or that move from pose to pose, first touch, and along which normal.
 #include <array>
 #include <optional>
 
@@ -86,7 +86,8 @@ std::optional<MeetingPlace> find_place(const Moving<MeshShape>& a, const Moving<
     });
 }
 
-// `find(features)` finds the place of a contact after the start, at which the bodies are at these poses.
+// Returns the contact point of two bodies whose poses at time 0 are those of `a` and `b`. If the contact is after time
+// 0, find(features) must return its place.
 template <class Find>
 ContactPoint answer(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const FirstContact& contact, const Ask& ask,
                     const Find& find) {

@@ -36,7 +36,7 @@ ScaledLongVector sum_over_common(const LongPoint& x, const LongPoint& y) {
     return sum;
 }
 
-// Returns the gap less the radii and d.
+// Returns (gap of the cores) - (sum of the radii) - d.
 exact::RootSum gap_beyond(const LongCorner& exact, const Reach& reach, const ExactNormal& normal, double d) {
     return exact::root_sum(-reach.sum.plus(d).scaled(), Integer(std::int64_t{1}), exact.num,
                            exact.den * exact.den * normal.square);
@@ -56,7 +56,7 @@ void round_least(convex::PosedHulls& hulls, const HullFeaturePair& pair, const R
     if (reach.sum.sign() == 0) {
         const exact::ExactPoint& simple = ends[pair[0].kind == Feature::Kind::vertex ? 0 : 1];
         for (int row = 0; row < 3; ++row) {
-            // A coordinate across the normal is often the same in both points: it is rounded once.
+            // A coordinate on an axis across the normal is often the same in both points; then it is rounded only once.
             if (exact::is_level(ends[0], ends[1], static_cast<std::size_t>(row))) {
                 corner.point_a[row] = corner.point_b[row] = corner.middle[row] =
                     exact::round_coordinate(origin, row, simple);

@@ -7,8 +7,8 @@
 
 namespace ecods::patches {
 
-// The radii of two rounded bodies, and how their points move from those of the cores: along the normal by these
-// lengths.
+// Reach holds the sum of the radii of two rounded bodies, and the lengths by which the points of a corner, and their
+// middle, move along the normal from their places on the cores.
 struct Reach {
     explicit Reach(const exact::Radii& radii)
         : sum(radii.sum()), of_a(radii.a), of_b(-ScaledInteger(radii.b)), of_middle(half_of(of_a + of_b)) {}
@@ -20,7 +20,7 @@ struct Reach {
     static ScaledInteger half_of(const ScaledInteger& x) { return {x.m(), x.e() - 1}; }
 };
 
-// Sets both points and the middle of a corner that is made by features with the least difference. `normal` is used only
+// Sets both points and the middle of a corner that two features with the least difference make. `normal` is used only
 // if there are radii.
 void round_least(convex::PosedHulls& hulls, const HullFeaturePair& pair, const Reach& reach, const ExactNormal& normal,
                  PatchCorner& corner);
@@ -28,7 +28,7 @@ void round_least(convex::PosedHulls& hulls, const HullFeaturePair& pair, const R
 // Sets both points, the middle and the gap of any corner.
 void round_corner(const LongCorner& exact, const Reach& reach, const ExactNormal& normal, PatchCorner& corner);
 
-// Returns the sign of the corner's gap, less the radii, minus d, which must be finite.
+// Returns the sign of (gap of the cores) - (sum of the radii) - d. d must be finite.
 int compare_gap(const LongCorner& exact, const Reach& reach, const ExactNormal& normal, double d);
 
 }  // namespace ecods::patches

@@ -20,7 +20,8 @@ Polygon::Polygon(const convex::Hull& hull, const HullFeature& of, bool is_turned
         corners.assign(cycle.begin(), cycle.end());
         return;
     }
-    // In the other direction, the edge to the next vertex is the one that leads here in the cycle.
+    // Reverses the cycle. The edge from a vertex to its next one is then the edge that leads to the vertex in the
+    // cycle.
     for (std::size_t i = cycle.size(); i-- > 0;) {
         corners.push_back({cycle[i].vertex, cycle[i == 0 ? cycle.size() - 1 : i - 1].edge});
     }

@@ -1,4 +1,4 @@
-// A feature of a hull as a convex polygon that is seen along a normal.
+// Polygon is a feature of a hull as a convex polygon that is seen along a normal: a vertex, an edge or a face.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace ecods::patches {
 using convex::HullFeature;
 
 struct Polygon {
-    // `is_turned` says that the cycles of faces, as the hull has them, are clockwise around the normal.
+    // `is_turned` must be true if the hull's cycles of its faces are clockwise around the normal.
     Polygon(const convex::Hull& hull, const HullFeature& of, bool is_turned);
 
     std::size_t vertex_count() const noexcept { return corners.size(); }
@@ -23,11 +23,12 @@ struct Polygon {
 
     HullFeature vertex(std::size_t i) const noexcept { return {Feature::Kind::vertex, corners[i].vertex}; }
     HullFeature edge(std::size_t i) const noexcept { return {Feature::Kind::edge, corners[i].edge}; }
-    // Returns the number of the polygon's vertex or edge that is this feature.
+    // Returns the index of the polygon's vertex or edge that is this feature.
     std::size_t index_of(const HullFeature& part) const noexcept;
 
     HullFeature feature;
-    // The vertices, of a face counterclockwise around the normal, each with the edge to the next one.
+    // Holds the vertices, each with the edge to the next one. The vertices of a face are counterclockwise around the
+    // normal.
     std::vector<convex::Hull::Neighbor> corners;
 };
 

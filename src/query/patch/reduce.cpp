@@ -16,14 +16,14 @@ using exact::cross;
 using exact::dot;
 using exact::minus;
 
-// Bounds of an area.
+// Holds a lower and an upper bound of an area.
 struct Bounds {
     double low = 0, high = 0;
 };
 
-// Returns bounds of a sum of two areas. An addition is off by less than an ulp in every rounding mode; and by at most
-// 3 * 2^-1022 if numbers below 2^-1022 count as zeros, which is less than an ulp of a sum of at least 2^-960. Smaller
-// bounds decide nothing (separates).
+// Returns bounds of a sum of two areas. An addition is off by less than an ulp in every rounding mode; and by at most 3
+// * 2^-1022 if numbers below 2^-1022 count as zeros, which is less than an ulp of a sum of at least 2^-960. separates()
+// ignores smaller bounds.
 Bounds sum(const Bounds& x, const Bounds& y) noexcept {
     return {next_down(next_down(x.low + y.low)), next_up(next_up(x.high + y.high))};
 }
@@ -32,14 +32,15 @@ bool separates(const Bounds& more, const Bounds& less) noexcept {
     return more.low > less.high && more.low >= least && less.high >= least;
 }
 
-// A fraction, den > 0.
+// Quotient is the fraction num / den, with den > 0.
 struct Quotient {
     ScaledInteger num, den{1.0};
 };
 
-// The differences of all points from the first one, and the areas of the triangles that they make with it, seen along
-// the normal. With the points N / d, and M_i = N_i d_0 - N_0 d_i, all areas times 2 |n| d_0^2 are [n, M_i, M_j] / (d_i
-// d_j): the factor is left out. Sums have the denominators of their own points, not those of all.
+// Triangles holds the differences of all points from the first one, and the areas of the triangles that the first point
+// makes with two others, seen along the normal. Let point i be N_i / d_i, and M_i = N_i d_0 - N_0 d_i. The area of
+// triangle (0, i, j), times 2 |n| d_0^2, is [n, M_i, M_j] / (d_i d_j); this factor is left out everywhere. A sum of
+// areas has the denominators of its own points only.
 class Triangles {
   public:
     Triangles(const std::vector<LongPoint>& points, const ScaledLongVector& normal) : normal_(normal) {
@@ -60,7 +61,8 @@ class Triangles {
 
     const Bounds& bounds(std::size_t i, std::size_t j) const noexcept { return bounds_[i * at_.size() + j]; }
     Quotient area(std::size_t i, std::size_t j) const { return {areas_[i * at_.size() + j], dens_[i] * dens_[j]}; }
-    // The square of the distance across the normal, times n . n, is (p . p)(n . n) - (p . n)^2.
+    // Returns the squared distance, across the normal, of point i from the first one, times n . n d_0^2. Of a vector p
+    // this is (p . p)(n . n) - (p . n)^2.
     Quotient across(std::size_t i) const {
         const ScaledInteger along = dot(at_[i], normal_);
         return {dot(at_[i], at_[i]) * dot(normal_, normal_) - along * along, dens_[i] * dens_[i]};
@@ -83,11 +85,11 @@ class Triangles {
     const ScaledLongVector& normal_;
     std::vector<ScaledLongVector> at_;
     std::vector<ScaledInteger> dens_;
-    std::vector<Bounds> bounds_;        // of triangles i < j
+    std::vector<Bounds> bounds_;        // of triangles (0, i, j), i < j
     std::vector<ScaledInteger> areas_;  // their numerators
 };
 
-// A choice of points that ends at some point, with its area.
+// A Chain is a choice of points in ascending order, with bounds of the area of their polygon.
 struct Chain {
     Bounds area;
     std::vector<std::size_t> points;
@@ -98,7 +100,7 @@ struct Chain {
     }
 };
 
-// Returns the sign of the area of x less that of y.
+// Returns the sign of (area of x) - (area of y).
 int compare(const Chain& x, const Chain& y, const Triangles& triangles) {
     if (separates(x.area, y.area)) return 1;
     if (separates(y.area, x.area)) return -1;

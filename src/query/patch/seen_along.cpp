@@ -23,7 +23,7 @@ LongPoint quotient(ScaledLongVector num, ScaledInteger den) {
     return {{-num[0], -num[1], -num[2]}, -den};
 }
 
-// Sets the number of the corner: n . (y / d_y - x / d_x).
+// Sets num / den of the corner to n . (y / d_y - x / d_x).
 void set_rise(LongCorner& corner, const ScaledLongVector& n) {
     const LongPoint &x = corner.at[0], &y = corner.at[1];
     corner.num = dot(n, minus(times(y.num, x.den), times(x.num, y.den)));
@@ -77,8 +77,8 @@ void SeenAlong::list(std::vector<HullFeaturePair>& pairs) {
     }
 }
 
-// Returns the vertex, edge or face of the other polygon on whose interior a vertex is seen; without one, is_over stays
-// false.
+// Returns the vertex, edge or face of the other polygon in whose relative interior a vertex is seen, and sets is_over;
+// is_over stays false if there is none.
 HullFeature SeenAlong::feature_below(std::size_t side, std::size_t vertex, bool& is_over) const {
     const std::size_t of = 1 - side;
     const Polygon& polygon = polygons_[of];
@@ -101,7 +101,7 @@ HullFeature SeenAlong::feature_below(std::size_t side, std::size_t vertex, bool&
     return found;
 }
 
-// Decides between the edge that is the other polygon and its ends, for a point c on its line.
+// Does the work of feature_below() for a polygon that is a single edge, and a point c on the line of this edge.
 HullFeature SeenAlong::on_edge(std::size_t of, const ScaledLongVector& c, bool& is_over) const {
     const ScaledLongVector& along = edges_[of][0].along;
     const int from = dot(minus(c, point(of, 0)), along).sign(), to = dot(minus(c, point(of, 1)), along).sign();
@@ -109,7 +109,7 @@ HullFeature SeenAlong::on_edge(std::size_t of, const ScaledLongVector& c, bool& 
     return from == 0 ? polygons_[of].vertex(0) : to == 0 ? polygons_[of].vertex(1) : polygons_[of].feature;
 }
 
-// Two segments cross if each has its ends on both sides of the other one's line.
+// True if the edges cross: each has its ends strictly on both sides of the other one's line.
 bool SeenAlong::do_cross(std::size_t i, std::size_t j) const noexcept {
     return sign(0, i, j) * sign(0, i, polygons_[1].next(j)) < 0 && sign(1, j, i) * sign(1, j, polygons_[0].next(i)) < 0;
 }
@@ -144,7 +144,7 @@ LongCorner SeenAlong::corner(const HullFeaturePair& pair) const {
         const std::size_t i = polygons_[0].index_of(pair[0]), j = polygons_[1].index_of(pair[1]);
         const ScaledLongVector &p = point(0, i), &q = point(1, j), w = minus(q, p);
         const Edge &u = edges_[0][i], &v = edges_[1][j];
-        // These are the negatives: [x, y, n] = x . (y x n) = -x . (n x y).
+        // den, s and r are the negatives of these determinants: [x, y, n] = x . (y x n) = -x . (n x y).
         const ScaledInteger den = dot(u.way, v.left), s = dot(w, v.left), r = dot(w, u.left);
         result.at[0] = quotient(plus(times(p, den), times(u.way, s)), den);
         result.at[1] = quotient(plus(times(q, den), times(v.way, r)), den);

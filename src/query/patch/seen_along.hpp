@@ -1,5 +1,5 @@
-// Two convex polygons in space as they are seen along a normal, exactly: which of their vertices and edges are over
-// each other, and the points there.
+// SeenAlong looks at two convex polygons in space along a normal. It finds exactly which of their vertices and edges
+// are over each other, and at which points.
 //
 // Seen along n, a point c is on the left of the edge from p to q if (c - p) . (n x (q - p)) > 0. All numbers are sums
 // and products of given doubles, of any length; nothing is rounded.
@@ -17,21 +17,22 @@ namespace ecods::patches {
 using exact::ScaledInteger;
 using exact::ScaledLongVector;
 
-// A direction, from the first body to the second, and the square of its length.
+// ExactNormal is a vector n from the first body to the second, with the square of its length.
 struct ExactNormal {
     ScaledLongVector n;
     ScaledInteger square;
 };
-// Returns the direction of `least`.
+// Returns the normal of the least difference of two hulls.
 ExactNormal scaled_normal(convex::PosedHulls& hulls, const convex::LeastDifference& least);
 
-// The point num / den, den > 0.
+// LongPoint is the point num / den, with den > 0.
 struct LongPoint {
     ScaledLongVector num;
     ScaledInteger den{1.0};
 };
 
-// A corner of a patch: a point of each body, and num / den = n . (second - first), den > 0. It is |n| times the gap.
+// LongCorner is a corner of a patch: a point on each body, and num / den = n . (second - first), with den > 0. This
+// number is |n| times the gap.
 struct LongCorner {
     std::array<LongPoint, 2> at;
     ScaledInteger num, den;
@@ -39,14 +40,15 @@ struct LongCorner {
 
 class SeenAlong {
   public:
-    // The polygons must be so turned that no two vertices of one are over each other. What is passed must outlive this.
+    // No two vertices of one polygon may be over each other. The polygons and the normal must outlive this object.
     SeenAlong(const convex::PosedHulls& hulls, const Polygons& polygons, const ExactNormal& normal);
 
-    // Sets `pairs` to all pairs of features that are over each other in exactly one point, in the interior of both.
+    // Sets `pairs` to all pairs of features whose relative interiors, as seen along the normal, share exactly one
+    // point.
     void list(std::vector<HullFeaturePair>& pairs);
     // Returns the sign of the turn between two edges, as order_around() takes it.
     int turn(const HullFeaturePair& edges) const;
-    // Returns the points of the features of such a pair that are over each other.
+    // Returns the corner that such a pair makes.
     LongCorner corner(const HullFeaturePair& pair) const;
 
   private:
@@ -58,7 +60,8 @@ class SeenAlong {
     const ScaledLongVector& point_of(std::size_t side, const HullFeature& part) const noexcept {
         return point(side, polygons_[side].index_of(part));
     }
-    // Returns the sign of the side of edge i on which a vertex of the other polygon is.
+    // Returns 1 if a vertex of the other polygon is on the left of edge i, -1 if it is on the right, 0 if it is on the
+    // line.
     int sign(std::size_t side, std::size_t i, std::size_t vertex) const noexcept {
         return signs_[side][i * points_[1 - side].size() + vertex];
     }

@@ -1,13 +1,14 @@
 // BothTurningCorners computes the corners of two triangles that turn, each by a turn of its own, at any time in [0, 1],
 // in doubles with error bounds. It bounds how far both are from straight motions, too.
 //
-// Bound. In the bound of turning_points.hpp, all terms but 2 e_p and |p| are those of the triangle that turns. Each
-// triangle adds its own: a projection of the one is off by what it is there, and the larger magnitude of both is at
-// most the sum.
+// Bound. In the bound of turning_points.hpp, all terms but 2 e_p and |p| come from the triangle that turns. Here each
+// triangle adds such terms of its own, since its projections are off by as much as there. The larger one of two
+// magnitudes is at most their sum.
 //
-// Pieces. In a piece of time two turns go on their chords at different paces, so both are compared with the straight
-// motions at the same time t. The pivot is there. Relative to it a corner is within rho sagitta of the point l of its
-// chord, and that within |l - t| <= shift chord lengths of the point t. So a corner is within
+// Pieces. In a piece of time two turns proceed along their chords at different paces. So both are compared with their
+// straight motions at the same part t of the time. The pivot itself moves straight. Relative to it, a corner is within
+// rho sagitta of the point l of its chord, and the points l and t of the chord are within |l - t| <= shift times its
+// length of each other. So a corner is within
 //     rho (sagitta + chord shift),   chord = 2 sin(half the piece's angle),
 // of its straight motion, and a gap along a unit vector is at least the chord of the gaps at both ends, less the sum of
 // both margins.
@@ -37,7 +38,7 @@ class BothTurningCorners {
     // True if all numbers are small enough for the error bounds to hold.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return is_bounded_; }
 
-    // The corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().
+    // Holds the corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().
     struct At {
         HalfAngle a, b;
         Points<6> points;
@@ -50,13 +51,14 @@ class BothTurningCorners {
         return result;
     }
 
-    // Returns upper bounds, on each axis, of the sum of both distances from the straight motions between two times.
+    // Returns, for each axis, an upper bound of the sum of both triangles' distances from their straight motions
+    // between two times.
     ECODS_ALWAYS_INLINE Point margins(const At& from, const At& to) const noexcept {
         const Point a = a_.lags(a_.angles().piece(from.a, to.a)), b = b_.lags(b_.angles().piece(from.b, to.b));
         return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
     }
-    // Returns an upper bound of the sum of the ways of two corners from the time of `at` to any time at most `span`
-    // from it.
+    // Returns an upper bound of how far one corner of each triangle moves, summed, from the time of `at` to any time at
+    // most `span` from it.
     ECODS_ALWAYS_INLINE double way(const At& at, double span) const noexcept {
         return a_.way(at.a, span) + b_.way(at.b, span);
     }

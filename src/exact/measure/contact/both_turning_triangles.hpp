@@ -7,8 +7,9 @@
 //     a corner p:                      A = N L + Q g = N (p + s m) + q0 g + s q1(g) + s^2 q2(g)
 //     an edge e from p to p + e:       E = Q e,  and its moment  M = E x (A / N) = E x L + Q (e x g)
 //     the plane of the normal n at p:  F = Q n,  and its offset  D = F . (A / N) = F . L + N n.g
-// (Pluecker coordinates of a line are (E, M).) All of them are times 1 / N. With one triangle's numbers and those of
-// the other, A', N' and so on, everything that is asked is a polynomial over N N', of degree 5 at most:
+// (Pluecker coordinates of a line are (E, M).) All of them are divided by N. Let A', N' and so on be the numbers of the
+// other triangle. Then each number of RelativePosition is one of these polynomials, of degree 5 at most, divided by N
+// N':
 //     difference of corners            N' A - N A'
 //     volume of a corner and a face    F' . A - N D'
 //     volume of two edges              E . M' + E' . M
@@ -45,7 +46,7 @@ class BothTurningTriangles final : public RelativePositionOf<Quintic> {
     Quintic edge_volume(std::size_t edge_a, std::size_t edge_b) const override;
 
   private:
-    // The coordinates of a triangle.
+    // Holds the homogeneous coordinates of a triangle's corners, edges and plane.
     struct Side {
         Quintic norm;
         std::array<Vector, 3> corner, edge, moment;

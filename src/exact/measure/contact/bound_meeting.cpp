@@ -15,8 +15,8 @@ namespace {
 using Double4 = Vec<double, 4>;
 using Four = std::array<Double4, 3>;  // three coordinates of four vectors, one vector in each lane
 
-// The largest numbers of steps, each of which shortens or splits an interval. More steps are needed only if both
-// triangles graze each other. The exact decision of a turn takes as long as some thousand steps.
+// Limits the number of steps, each of which shortens or splits an interval. More steps are needed only if the triangles
+// graze each other. A turn may take more of them, since its exact decision takes as long as some thousand steps.
 constexpr int step_max = 96, turn_step_max = 512;
 constexpr int coarse_step_max = 3;
 // Limits how far an interval is split: the part that is searched next has at least 2^-32 of its length. The distance of
@@ -47,7 +47,7 @@ struct Ends {
     }
 };
 
-// A part of an interval, from `first` to `last` times the interval's length; empty if first > last.
+// Part is the part of an interval from `first` to `last` times the interval's length; it is empty if first > last.
 struct Part {
     double first = 0, last = 1;
 };
@@ -74,10 +74,10 @@ ECODS_ALWAYS_INLINE double above(double sum) noexcept {
     return next_up(next_up(sum + 0x1p-1000));
 }
 
-// A motion of corners, as the search sees it. `At` holds the corners at one time, and the factors of their error bound
-// on each axis. A `Chord` is the straight motion between two times: widened(error) is the error bound that its gaps
-// need to be lower bounds of the true ones; earliest() and latest() return the part of the time at which the part `way`
-// of the chord is reached.
+// Straight is a motion of corners, with all that the search needs. `At` holds the corners at one time, and the factors
+// of their error bound on each axis. A `Chord` is the straight motion between two times: widened(error) is the error
+// bound that its gaps need to be lower bounds of the true ones; earliest() and latest() return the part of the time at
+// which the part `way` of the chord is reached.
 class Straight {
   public:
     struct At {

@@ -77,7 +77,7 @@ class ContactTimes {
         }
     }
 
-    // The times s0 and s1 between which the triangles share a point, of either sign.
+    // Holds the times s0 and s1, of either sign, between which the triangles share a point.
     struct Interval {
         Time first, last;
     };
@@ -104,17 +104,17 @@ class ContactTimes {
         return is_by_one(times->first) ? std::optional(times->first) : std::nullopt;
     }
 
-    // True if the line from the origin along m meets the relative interior of D, and is in no plane with D: seen along
-    // m, the triangles overlap inside. Then a triangle goes properly into or through the other one.
+    // True if, seen along m, the interiors of the triangles overlap: the line through the origin along m meets the
+    // relative interior of D, and no plane contains both. Then a triangle goes properly into or through the other one.
     //
     // Seen along m, D is a convex polygon in the plane. The origin is inside unless all of D is on the outer side of
-    // the line of one of D's sides. Each side of D has the direction of an edge of A or B, and is of this edge and of
-    // the vertex of the other triangle that is furthest out. If A's third corner is on one side of A's edge, that is
-    // the inner side: a corner of B must be there, too. If A is seen as a segment, both sides are outer sides.
+    // the line of one of D's sides. Each side of D is the difference of an edge of one triangle, say A, and the vertex
+    // of B that is furthest out. If A's third corner is not on the line of the edge, it is on the inner side; a corner
+    // of B must be there, too. If A is seen as a segment, both sides of the line are outer sides.
     bool meets_properly() const noexcept {
         if (all_edges_are_parallel_) return false;
         for (std::size_t side = 0; side < 2; ++side) {
-            // the side of each edge on which the third corner is: that of m x e0 . e1 = m . n
+            // `own` is the side of each edge on which the triangle's third corner is: the sign of m x e0 . e1 = m . n.
             const int own = sign<3 * L>(dot<2 * L, L>(normal_of(side), m_));
             for (std::size_t i = 0; i < 3; ++i) {
                 if (is_parallel_[side][i]) continue;

@@ -5,7 +5,7 @@
 // second, n.(q - p) is at least G = n.w + min(0, n.b1, n.b2) - max(0, n.a1, n.a2). If the triangles share a point at
 // time s, one of these differences q - p is s m. So
 //     s n.m >= G:    if G > 0, s >= G / n.m, and if also n.m <= 0 there is no such s > 0.
-// n itself is taken as it is, so its errors do not matter. G is bounded as in triangle_vectors.hpp, by r3 - 4 u' r1.
+// n is used as it was computed, so its errors do not matter. G is bounded as in triangle_vectors.hpp, by r3 - 4 u' r1.
 // n.m, in units of m, is at most the computed product plus E, since m has an eta of 1. The quotient has three more
 // roundings.
 //
@@ -35,7 +35,8 @@ class ContactEnds {
     ContactEnds(const IntegerPair& pair, const ScaledVector& m, const FeaturePair& f) noexcept
         : x_(pair, f), m_(m), bound_(x_.bound_of_three()), exponent_(x_.w.shift + pair.unit - m.shift) {
         if (f.kind == FeatureKind::vertex_edge) {
-            // n is the normal of the plane of the edge and the motion: perpendicular to the motion up to rounding.
+            // n is the normal of the plane of the edge and the motion, so it is perpendicular to the motion up to
+            // rounding.
             n_ = cross(m_.x, x_.other[f.vertex_side][0].x);
             if (dot(n_, x_.w.x) < 0) n_ = negated(n_);
         } else {

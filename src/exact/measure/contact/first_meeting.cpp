@@ -30,7 +30,8 @@ class MeetingSearch {
     }
 
   private:
-    // Returns those of features_ all of whose corners belong to `four`: a corner and a triangle, or two edges.
+    // Returns the pairs in features_ whose corners all belong to `four`, which is a corner and a triangle, or two
+    // edges.
     FeatureSet part_of(const FeaturePair& four) const noexcept {
         const CornerPairs pairs = corner_pairs(four);
         FeatureSet result = 0;

@@ -13,7 +13,7 @@
 // contradicts the choice of s.
 //
 // 2. So s is the least of the first times of 15 pairs: a corner and a triangle, or two edges. Let P be such a pair,
-// with four corners, and v(t) the volume of these, a polynomial. P shares a point only at times at
+// with four corners, and v(t) the signed volume of their tetrahedron, a polynomial. P shares a point only at times at
 // which v is zero. So, unless v is the zero polynomial, the first time of P is the first root of v at which P shares a
 // point.
 //
@@ -55,7 +55,7 @@ struct Meeting {
 template <class P>
 std::optional<Meeting> first_meeting(RelativePositionOf<P>& triangles);
 
-// An interval of time, from m / 2^bits to (m + count) / 2^bits, which is at most 1.
+// TimeCells is the interval of time from m / 2^bits to (m + count) / 2^bits, which is at most 1.
 struct TimeCells {
     std::int64_t m;
     int bits, count;

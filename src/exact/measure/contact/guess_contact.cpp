@@ -1,6 +1,6 @@
-// The guess looks at the triangles' projections along the motion. If the projections overlap, the first time belongs to
-// a corner of the overlap: a vertex of one triangle in the other's face, or two edges that cross (contact_times.hpp).
-// If they do not overlap, an edge of one triangle separates them.
+// guess_contact() projects the triangles along the motion. If the projections overlap, the first time belongs to a
+// corner of the overlap: a vertex of one triangle in the other's face, or two edges that cross (contact_times.hpp). If
+// they do not overlap, an edge of one triangle separates them.
 #include "exact/measure/contact/guess_contact.hpp"
 
 #include <algorithm>

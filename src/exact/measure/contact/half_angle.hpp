@@ -28,7 +28,7 @@
 
 namespace ecods::exact {
 
-// Half the angle of a turn at one time.
+// HalfAngle is half the angle of a turn at one time.
 struct HalfAngle {
     double time, cos, sin;
     double length;     // h
@@ -43,7 +43,7 @@ struct TurnPiece {
     double pace = 0;                                           // least weight, divided by the greatest one
 
     // Returns an upper bound of how far a point at distance 1 from the axis is from its straight motion at the same
-    // time of the piece, in place of the time at which that is nearest.
+    // part of the piece's time. (The sagitta is the distance from the nearest point of the straight motion.)
     ECODS_ALWAYS_INLINE double lag() const noexcept { return (sagitta + shift * chord) * (1 + 8 * two_u); }
 
     // Return the least and the greatest part of the time of the piece at which the straight motion may have gone the
@@ -59,7 +59,7 @@ struct TurnPiece {
 class TurnAngles {
   public:
     TurnAngles() = default;
-    // Takes the quaternion (w, v).
+    // Takes the quaternion (w, v), which the turn reaches at time 1.
     TurnAngles(double w, const Vec3& v) noexcept : w_(w) {
         length_ = std::sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
         if (ecods::is_zero(v)) {

@@ -15,7 +15,7 @@ namespace {
 
 using Numerators = RelativePosition::Vector;
 
-// A polynomial of any degree, from the constant coefficient on.
+// LongPolynomial is a polynomial of any degree; its first coefficient is the constant one.
 using LongPolynomial = std::vector<Integer>;
 
 LongPolynomial square(const Polynomial& p) {
@@ -45,20 +45,20 @@ Polynomial oriented(const Polynomial& p, int sign) {
     return sign < 0 ? Polynomial() - p : p;
 }
 
-// Numbers at a root of p, rounded once.
+// NumbersAtRoot computes numbers at a root of p, each rounded once.
 class NumbersAtRoot {
   public:
     NumbersAtRoot(Root& root, const Polynomial& p, double time) : root_(root), p_(p), near_(binary_fraction(time)) {}
 
     int sign_of(const Polynomial& g) { return root_.sign_of(g); }
-    // Returns the sign just before the root of p, which is a root of it.
+    // Returns the sign of p just before the root.
     int sign_before() {
         int alternating = -1;
         for (Polynomial d = derivative(p_);; d = derivative(d), alternating = -alternating) {
             if (const int sign = sign_of(d); sign != 0) return alternating * sign;
         }
     }
-    // Returns num / den times 2^unit. den must not be zero there.
+    // Returns num / den times 2^unit, at the root. den must not be zero there.
     double quotient(const Polynomial& num, const Polynomial& den, int unit) {
         const int sign_num = sign_of(num), sign_den = sign_of(den);
         if (sign_num == 0) return 0;
@@ -74,7 +74,7 @@ class NumbersAtRoot {
         });
         return sign_num * sign_den < 0 ? opposite(size) : size;
     }
-    // Returns f / |f|.
+    // Returns f / |f| at the root.
     Vec3 direction(const Numerators& f) {
         LongPolynomial length;
         std::array<LongPolynomial, 3> squares;
@@ -102,7 +102,7 @@ class NumbersAtRoot {
     }
 
   private:
-    // Replaces g by its remainder by p, times powers of p's leading coefficient.
+    // Returns the sign of g at the root, by the remainder of g divided by p, times powers of p's leading coefficient.
     int sign_of(LongPolynomial g) {
         const int degree = p_.degree();
         const Integer& leading = p_[degree];
@@ -122,7 +122,7 @@ class NumbersAtRoot {
         for (std::size_t i = 0; i < g.size(); ++i) c[i] = std::move(g[i]);
         return sign * sign_of(Polynomial(std::move(c)));
     }
-    // Returns the value at the rounded time, times a power of two that is the same for all polynomials.
+    // Returns the value of p at the rounded time, times a power of two that is the same for all polynomials.
     Integer value_near(const Polynomial& p) const {
         Integer value;
         for (int i = Polynomial::degree_max; i >= 0; --i) {
@@ -167,7 +167,7 @@ Numerators plus(const Numerators& a, const Numerators& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-// Returns the cross product of the first triangle's edge and the second's.
+// Returns the cross product of the first triangle's edge and the second triangle's edge, as polynomials.
 Numerators across(RelativePosition& triangles, const FeaturePair& f) {
     const Numerators first = triangles.turn({1, f.b, f.a}), second = triangles.turn({1, next_corner(f.b), f.a});
     return {second[0] - first[0], second[1] - first[1], second[2] - first[2]};

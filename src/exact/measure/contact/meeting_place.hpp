@@ -7,11 +7,13 @@
 // - m^2 L, whose degree may be up to 6. A polynomial has the same value at s as its remainder by p, so only polynomials
 // of degree 2 at most are evaluated there, exactly (Root::sign_of).
 //
-// Point. Of a vertex it is the vertex. Edges y + t b and a cross at t = T0 / (T0 - T1) on a coordinate, where T0 and T1
-// are the turns of b's ends about a, unless T0 = T1 on it: on some coordinate they differ, since a x b is not zero.
-// Normal. The turns of a corner about the three edges of a face add up to the face's normal, and T1 - T0 is a x b.
-// Which of both directions it has is decided by the sign of the four corners' volume just before s, by its first
-// derivative that is not zero at s.
+// Point. If one of the features is a vertex, the point is this vertex. If they are edges, from y along b and along a,
+// they cross at y + t b with t = T0 / (T0 - T1), where T0 and T1 are the same coordinate of the turns of b's ends about
+// a. A coordinate with T0 = T1 is of no use; on some coordinate T0 and T1 differ, since a x b is not zero.
+//
+// Normal. The turns of a corner about the three edges of a face add up to the face's normal, and T1 - T0 is a x b. The
+// sign of the volume of the four corners just before s decides between the two directions of the normal; it follows
+// from the volume's first derivative that is not zero at s.
 #pragma once
 
 #include <array>
@@ -23,8 +25,8 @@
 
 namespace ecods::exact {
 
-// The corners of the second triangle, each coordinate of degree 1 at most, in units of 2^unit, and the factor of the
-// polynomials of a RelativePosition, of degree 2 at most.
+// SecondCorners holds the corners of the second triangle, in units of 2^unit: polynomials of degree 1 at most. It also
+// holds the factor of all polynomials of the RelativePosition, of degree 2 at most.
 struct SecondCorners {
     std::array<RelativePosition::Vector, 3> at;
     Polynomial factor;

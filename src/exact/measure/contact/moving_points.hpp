@@ -37,12 +37,12 @@ struct MovingPoints {
     double start_error, end_error;
 };
 
-// The interval of time [from, to], inside [0, 1].
+// TimeSpan is the interval of time [from, to], inside [0, 1].
 struct TimeSpan {
     double from, to;
 };
 
-// Computes moving corners relative to the first corner at time 0, which the others are near.
+// Computes moving corners relative to the first corner at time 0, because the others are near it.
 class MovingCorners {
   public:
     static constexpr double underflow = 0x1p-990;

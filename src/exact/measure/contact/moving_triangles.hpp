@@ -15,8 +15,7 @@ namespace ecods::exact {
 
 class MovingTriangles final : public RelativePosition {
   public:
-    // Takes the corners of both triangles at time 0, and then the same corners at time 1.
-    // Later points do not matter.
+    // Takes the corners of both triangles at time 0, and then the same corners at time 1. Ignores later points.
     template <class Kernel, std::size_t N>
     requires(N >= 12) explicit MovingTriangles(const IntegerPoints<Kernel, N>& points) { set(points.at); }
     explicit MovingTriangles(const std::array<std::array<Integer, 3>, 12>& points) { set(points); }

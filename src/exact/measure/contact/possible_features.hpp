@@ -23,12 +23,13 @@
 
 namespace ecods::exact {
 
-// A set of pairs of features: bit i stands for feature_pairs[i].
+// A FeatureSet is a set of pairs of features: bit i stands for feature_pairs[i].
 using FeatureSet = std::uint64_t;
 inline constexpr FeatureSet all_features = (FeatureSet{1} << feature_pairs.size()) - 1;
 inline constexpr double short_time = 0x1p-20;
 
-// A set of pairs of corners: bit 3 a + b stands for corner a of the first triangle and corner b of the second.
+// A CornerPairs is a set of pairs of corners: bit 3 a + b stands for corner a of the first triangle and corner b of the
+// second.
 using CornerPairs = std::uint32_t;
 
 // Returns all pairs of a corner of the first feature and a corner of the second.

@@ -1,5 +1,5 @@
-// RelativePosition says, as polynomials in time, how two moving triangles lie to each other. The decision of a first
-// meeting (first_meeting.hpp) asks nothing else about a motion.
+// RelativePosition describes the position of two moving triangles relative to each other, by polynomials in time. The
+// decision of a first meeting (first_meeting.hpp) needs nothing else of a motion.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ constexpr std::size_t index_of(const CornerAndEdge& which) noexcept {
 }
 
 // Each polynomial is the number that its function names, times a factor that depends on the time alone and is positive
-// at all times from 0 to 1: the same for all turns, for all volumes, and for all differences. P is the type of the
-// polynomials, for their greatest degree.
+// at all times from 0 to 1. All turns have one factor, all volumes another, and all differences a third. P is the type
+// of the polynomials, for their greatest degree.
 template <class P>
 class RelativePositionOf {
   public:
@@ -34,7 +34,7 @@ class RelativePositionOf {
     // Returns coordinate `axis` of corner i of the first triangle minus corner j of the second.
     virtual P difference(std::size_t i, std::size_t j, std::size_t axis) const = 0;
     // Returns (q - p) x (c - p) for the edge from p to q and the corner c. It is zero if and only if c is on the line
-    // of the edge, or p = q. The result is kept.
+    // of the edge, or p = q. The result is cached.
     virtual const Vector& turn(const CornerAndEdge& which) = 0;
     // Return six times the signed volume of four corners: a corner and the other triangle, or an edge of each triangle.
     // It is zero if and only if the four corners are in one plane.

@@ -10,7 +10,7 @@
 namespace ecods::exact {
 namespace {
 
-// A number that is a linear function of time: slope * time + begin.
+// Linear is a linear function of time: slope * time + begin.
 struct Linear {
     ScaledInteger slope, begin;
 
@@ -23,7 +23,8 @@ bool are_from_zero(const RootSum& time, std::initializer_list<Linear> numbers) {
     return true;
 }
 
-// Takes an end if it is better: less if direction is 1, greater if it is -1. Equal ends keep the first features.
+// Replaces `best` by the end at `time` if that is better: less if direction is 1, greater if it is -1. Of equal ends,
+// the first features are kept.
 void take(std::optional<RoundedContact::End>& best, const std::optional<RootSum>& time, const FeaturePair& f,
           int direction) {
     if (!time) return;
@@ -62,7 +63,7 @@ std::optional<RoundedContact::Interval> RoundedContact::interval() const {
     return Interval{*std::move(first), *std::move(last)};
 }
 
-// True if another pair of features has the same piece and comes first, since a vertex is at two corners.
+// True if an earlier pair of features has the same piece, because a corner equals an earlier corner of its triangle.
 bool RoundedContact::is_repeated(const FeaturePair& f) const noexcept {
     return (f.has_vertex(0) && is_copy_[0][f.a]) || (f.has_vertex(1) && is_copy_[1][f.b]);
 }

@@ -1,12 +1,12 @@
 // RoundedContact computes when a translated triangle is within a distance p of another one.
 //
-// While the first triangle A goes along s m, it is within p of the second one B if and only if the point s m is in
-// K + p: within p of the set of differences K = B - A. K is convex, so these s form a closed interval, or there are
-// none. K + p is covered by the pieces that pairs of features have: a ball around b - a for two vertices; a cylinder
-// without caps around a vertex and an edge, of the points whose foot on the edge's line is on the edge; and for a
-// vertex and a face, and for two edges, two plates, of the points at the distance p from the plane of K's triangle or
-// parallelogram whose foot is in it. All pieces are subsets of K + p, and its border is among them. So the interval
-// begins at the least time at which s m enters a piece, and ends at the greatest time at which it leaves one.
+// While the first triangle A goes along s m, it is within p of the second one B if and only if the point s m is in K +
+// p: within p of the set of differences K = B - A. K is convex, so these s form a closed interval, or there are none. K
+// + p is covered by the pieces that pairs of features have: a ball around b - a for two vertices; a cylinder without
+// caps around a vertex and an edge, of the points whose foot on the edge's line is on the edge; and for a vertex and a
+// face, and for two edges, two plates, of the points at the distance p from the plane of K's triangle or parallelogram
+// whose foot is in it. All pieces are subsets of K + p, and together they contain its border. So the interval begins at
+// the least time at which s m enters a piece, and ends at the greatest time at which it leaves one.
 //
 // Let w be the vector from the piece's first corner to the origin, so that s m is at w + s m from the corner. The
 // pieces are entered and left at these times (d = m, n = u x v):
@@ -16,8 +16,8 @@
 //     plate           (-n.w -+ p sqrt(n.n)) / n.d if n.d > 0, the negative of both parts if n.d < 0; none if n.d = 0
 //
 // A foot on a line or in a plane depends on s linearly, so the sign of a RootSum says if it is in the feature. Where
-// two pieces join, both have the time. With differences below 2^k, x and z have up to 4k + 4 bits and y 8k + 8; the
-// tests of feet up to 14k + 16.
+// two pieces join, both have the same time. With differences below 2^k, x and z have up to 4k + 4 bits and y 8k + 8;
+// the tests of feet up to 14k + 16.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ class RoundedContact {
     // corners: those of A, then those of B. The motion must not be zero, and p must be positive.
     RoundedContact(const std::array<ScaledLongVector, 6>& corners, const ScaledLongVector& motion, const ExactSum& p);
 
-    // A time, rounded once, at least 2^-1074 in magnitude unless it is 0; and the first pair of features, in the order
-    // of feature_pairs, that is at the distance p then.
+    // An End of the interval is its time, rounded once and at least 2^-1074 in magnitude unless it is 0, and the first
+    // pair of features, in the order of feature_pairs, that is at the distance p at this time.
     struct End {
         RootSum time;
         double rounded = 0;
@@ -49,14 +49,14 @@ class RoundedContact {
     std::optional<Interval> interval() const;
 
   private:
-    // A corner, an edge, a triangle or a parallelogram of K: its first corner is at -w.
+    // A Piece is a corner, an edge, a triangle or a parallelogram of K, whose first corner is at -w.
     struct Piece {
         ScaledLongVector w;
         std::size_t dimension = 0;
         ScaledLongVector u, v;
         bool is_triangle = false;
     };
-    // The times at which a piece is entered and left, as far as they are on the piece.
+    // Holds the times at which s m enters and leaves a piece; nullopt if its foot is outside the piece's feature then.
     struct Times {
         std::optional<RootSum> enter, leave;
     };

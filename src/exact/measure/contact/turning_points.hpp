@@ -3,12 +3,12 @@
 //
 // Places. With half the angle (half_angle.hpp) and g = p - c, a corner is at
 //     x = p + s m + 2 sin cos d1 + 2 sin^2 d2,   d1 = e x g,   d2 = e x d1.
-// So only the way of the corner is off because the angle is, which is small for small angles.
+// So an error of the angle affects only the way of the corner, which is small for small angles.
 //
-// Bound. Let e_p bound the errors of corners and e_g those of g on each axis, G >= |g|. With a factor of 5.01 u' of e,
-// d1 is off by 7.2 u' G + 1.42 e_g on each axis, and d2 by 17.3 u' G + 2.02 e_g. The factors of d1 and d2 are at most 2
-// |sin|, and off by 32 u' (1 + k) |sin|. The glide m is off by e_m, and its product by u' s |m| more. Three sums and
-// the products add 4.1 u' of all terms. So x is off by
+// Bound. Let e_p bound the errors of corners and e_g those of g on each axis, G >= |g|. Since e is off by 5.01 u' of
+// itself, d1 is off by 7.2 u' G + 1.42 e_g on each axis, and d2 by 17.3 u' G + 2.02 e_g. The factors of d1 and d2 are
+// at most 2 |sin|, and off by 32 u' (1 + k) |sin|. The glide m is off by e_m, and its product by u' s |m| more. Three
+// sums and the products add 4.1 u' of all terms. So x is off by
 //     e_p + s e_m + 7 |sin| e_g + 140 u' (1 + k) |sin| G + 6.1 u' (|p| + s |m|).
 // A projection on n and the difference of two projections add, as in moving_points.hpp, 10.2 u' |n| (|p| + s |m| + 4
 // |sin| G), with |p| the larger magnitude of both triangles. The other triangle is off by e_p. The bound
@@ -31,8 +31,8 @@
 
 namespace ecods::exact {
 
-// The turn of rounded corners: the pivot at time 0 and its way, with upper bounds of their errors on any axis. `angles`
-// must outlive users.
+// TurnOfPoints is the turn of rounded corners: the pivot at time 0 and its way, with upper bounds of their errors on
+// any axis. `angles` must outlive users of this struct.
 struct TurnOfPoints {
     Point pivot, glide;
     double pivot_error, glide_error;
@@ -47,12 +47,12 @@ struct TurningPoints {
     TurnOfPoints turn;
 };
 
-// Three corners that turn.
+// TurningSide computes the places of three corners that turn.
 class TurningSide {
   public:
     static constexpr double underflow = 0x1p-600;
 
-    // Takes a triangle of `points`. scale() must follow.
+    // Takes the three corners in `points` from index `first` on. scale() must follow.
     ECODS_ALWAYS_INLINE TurningSide(const Points<6>& points, std::size_t first, const TurnOfPoints& turn) noexcept
         : turn_(turn) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -67,7 +67,7 @@ class TurningSide {
     ECODS_ALWAYS_INLINE double size() const noexcept { return std::max(largest(turn_.glide), arm_); }
     ECODS_ALWAYS_INLINE const TurnAngles& angles() const noexcept { return *turn_.angles; }
 
-    // Multiplies all lengths by a power of two. `start_error` is that of the scaled corners.
+    // Multiplies all lengths by a power of two. `start_error` is the error bound of the scaled corners.
     ECODS_ALWAYS_INLINE void scale(double scale, double start_error) noexcept {
         double radius = 0;
         glide_ = times(turn_.glide, scale);
@@ -79,13 +79,14 @@ class TurningSide {
             inwards_[i] = cross(angles().axis(), across_[i]);
             radius = std::max(radius, dot(across_[i], across_[i]));
         }
-        // An upper bound: the errors are those of d1, for which sqrt(3) (1.42 e_g + 7.2 u' G) is less than these terms.
+        // The radius is an upper bound: the error of d1 is at most sqrt(3) (1.42 e_g + 7.2 u' G), which is less than
+        // the added terms.
         radius_ = std::sqrt(radius) * (1 + 8 * two_u) + 4 * arm_error_ + 16 * two_u * arm_ + underflow;
         way_ = std::sqrt(dot(glide_, glide_)) * (1 + 8 * two_u) + 2 * glide_error_;
     }
 
-    // Sets corners to their places at a time, in place of those at time 0, and adds to the factors of the error bound
-    // of gaps what is there because they turn.
+    // Moves corners from their places at time 0 to those at a later time, and adds the errors of the turn to the
+    // factors of the error bound of gaps.
     ECODS_ALWAYS_INLINE void turn(const HalfAngle& half, Points<6>& points, std::size_t first,
                                   Point& error) const noexcept {
         const double turned = 2 * half.sin * half.cos, inward = 2 * half.sin * half.sin, sin = std::abs(half.sin);
@@ -101,11 +102,11 @@ class TurningSide {
         }
     }
 
-    // Return upper bounds, on each axis, of how far corners are from their straight motion, for a piece of this length
-    // in time: at the time at which that is nearest, and at the same time. A sagitta is across the axis of the turn, so
-    // coordinate k of a vector of this length is at most sqrt(1 - e_k^2) of it; both other coordinates of e are off by
-    // 5.01 u' of themselves, or lost if they are below 2^-500. So is a chord. A glide that is lost to underflow is
-    // below 2^-620.
+    // Return, for each axis, an upper bound of how far corners are from their straight motion, in a piece of this
+    // length in time: margins() from its nearest point, and lags() from its point at the same time. A sagitta is across
+    // the axis of the turn, so coordinate k of a vector of this length is at most sqrt(1 - e_k^2) of it; both other
+    // coordinates of e are off by 5.01 u' of themselves, or lost if they are below 2^-500. The same bound holds for a
+    // chord. A glide that is lost to underflow is below 2^-620.
     ECODS_ALWAYS_INLINE Point margins(const TurnPiece& piece, double length) const noexcept {
         Point result;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -142,7 +143,7 @@ class TurningSide {
     double radius_ = 0, way_ = 0;             // upper bounds of the distance from the axis, and of |m|
 };
 
-// Six corners at time 0, relative to the first one, which the others are near.
+// StartCorners holds six corners at time 0, relative to the first one, because the others are near it.
 class StartCorners {
   public:
     ECODS_ALWAYS_INLINE StartCorners(const Points<6>& start, double start_error) noexcept
@@ -194,7 +195,7 @@ class TurningCorners {
     // True if all numbers are small enough for the error bounds to hold.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return is_bounded_; }
 
-    // The corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().
+    // Holds the corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().
     struct At {
         HalfAngle half;
         Points<6> points;
@@ -209,7 +210,7 @@ class TurningCorners {
     ECODS_ALWAYS_INLINE TurnPiece piece(const At& from, const At& to) const noexcept {
         return side_.angles().piece(from.half, to.half);
     }
-    // Both do what those of TurningSide do.
+    // Do the same as the functions of these names in TurningSide.
     ECODS_ALWAYS_INLINE Point margins(const TurnPiece& piece, double length) const noexcept {
         return side_.margins(piece, length);
     }

@@ -71,7 +71,7 @@ void TurningTriangles::set(const std::array<LongVector3, point_count>& points) {
     }
 }
 
-// Returns N (start + s way) + the rest.
+// Returns N (start + s way) + rest.
 Polynomial TurningTriangles::over_norm(const Integer& start, const Integer& way, const Beside<Integer>& rest) const {
     const LongVector3& n = turn_.n;
     return Polynomial(Polynomial::Coefficients{n[0] * start + rest.zeroth, n[1] * start + n[0] * way + rest.first,
@@ -132,7 +132,7 @@ Polynomial TurningTriangles::corner_volume(std::size_t side, std::size_t corner)
                       -dot(q.second, m_)});
 }
 
-// The moment here is a x g, and h = g x a of the formula is its negative.
+// turned_moment_ holds a x g, the negative of h = g x a in the formula.
 Polynomial TurningTriangles::edge_volume(std::size_t edge_a, std::size_t edge_b) const {
     const LongVector3 &a = turning_edge_[edge_a], &b = resting_edge_[edge_b];
     const LongVector3 br = cross(b, r_[edge_b]), bm = negative(cross(b, m_));

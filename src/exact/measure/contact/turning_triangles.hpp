@@ -1,9 +1,10 @@
 // TurningTriangles computes the relative position of a triangle that turns and one that is at rest or translated, as
-// polynomials in time. Beside a body that is translated, the pivot goes back by as much, and that body is at rest.
+// polynomials in time. A translation of the other body is subtracted from the way of the pivot, so that the other body
+// is at rest.
 //
 // A point p of the first triangle is at c + s m + Q(s) g / N(s) at time s, with g = p - c, the pivot c and its way m.
-// The quaternion goes straight from one to another: in a unit in which all components of both are integers, it is (E +
-// s U, F + s V). Its square of length, which is positive from time 0 to 1, is
+// The quaternion moves straight from one quaternion to another: in a unit in which all components of both are integers,
+// it is (E + s U, F + s V). The square of its length, which is positive from time 0 to 1, is
 //     N = E^2 + F.F + 2 (E U + F.V) s + (U^2 + V.V) s^2,
 // and its rotation times N, for any vector g, is
 //     Q g = N g + q0 g + s q1(g) + s^2 q2(g),   where
@@ -14,9 +15,9 @@
 // so q0 is zero. A leg of a Way begins at any quaternion: p is then where the corner would be had the body gone from
 // its start to the beginning of the leg without turning, so that g and all widths are those of the start.
 //
-// Rotations keep dot products, and turn cross products: Q a . Q b = N^2 a.b and Q a x Q b = N Q (a x b). So everything
-// that is asked is a polynomial over N, of degree 3 at most. (Where q0 is not zero, it stands beside each q1, without
-// the factor s.)
+// Rotations keep dot products, and turn cross products: Q a . Q b = N^2 a.b and Q a x Q b = N Q (a x b). So each number
+// of RelativePosition is one of these polynomials, of degree 3 at most, divided by N. (If q0 is not zero, each term s
+// q1 has one of q0 beside it, without the factor s.)
 //
 //   p - y of a corner p and one of the other triangle, y:  N (p - y + s m) + s q1(g) + s^2 q2(g)
 //   volume of p and the face at rest, with the normal n and a corner y:   the same, times n
@@ -42,14 +43,14 @@ namespace ecods::exact {
 
 using LongVector3 = std::array<Integer, 3>;
 
-// The numbers E, U, F, V and the coefficients of N.
+// TurnIntegers holds the numbers E, U, F, V and the coefficients of N.
 struct TurnIntegers {
-    // The vectors q0 g, q1(g) and q2(g) of a vector g.
+    // Holds the vectors q0 g, q1(g) and q2(g) of a vector g.
     struct Turned {
         LongVector3 zeroth, first, second;
     };
 
-    // From 1 to (w, v), and from one quaternion to another.
+    // Take a turn from the quaternion 1 to (w, v), and from one quaternion to another.
     TurnIntegers(double w, const Vec3& v);
     TurnIntegers(const Quaternion& from, const Quaternion& to);
 
@@ -85,7 +86,7 @@ class TurningTriangles final : public RelativePosition {
 
   private:
     using Turned = TurnIntegers::Turned;
-    // The coefficients of a number, or a vector, beside N times start + s way, of 1, s, s^2 and s^3.
+    // Holds the coefficients of 1, s, s^2 and s^3 of a number, or a vector, that is added to N (start + s way).
     template <class T>
     struct Beside {
         T zeroth, first, second, third = {};
