@@ -95,8 +95,9 @@ struct QueryCounts {
 
 // A QueryMemory is scratch memory of questions: stacks, rounded vertices, exact vertices. It grows to the size that the
 // largest question needed, and is then reused without allocation. It holds no answer: a question gives the same answer
-// with a new memory. Only one question at a time may use it, and no question that is asked within that one; except that
-// a two-body test passes on the memory that a World gives it (two_body_test.hpp).
+// with a new memory. Only one question at a time may use it. A question that is asked while another one runs needs a
+// memory of its own; the one exception is a two-body test, which passes on the memory that a World gives it
+// (two_body_test.hpp).
 class ECODS_API QueryMemory {
   public:
     QueryMemory();

@@ -50,12 +50,12 @@ enum class BroadPhaseKind : std::uint8_t {
     // update. A box that moves is awake until it has been at rest for some updates. A box that left its margin, or
     // awoke, is looked up in trees over all boxes, one tree for each class of sizes; if many boxes did so at once, all
     // boxes are looked up. Counts of this work adapt the widths of the margins; the margins of boxes that all move
-    // together move along with them. If boxes leave any margin at once, or come and go in numbers, no box has a margin,
-    // and each update searches for all pairs from scratch. Counts decide this, and decide again some updates later.
-    // Work per update: a few tests for each box that moves or moved lately; or that of a search from scratch, which is
-    // a sort and a sweep in the cells of a grid, however boxes move. Memory: about 240 bytes a box at rest, and 8 to 16
-    // a pair, as above. While boxes move: about 230 more a box for searches from scratch, and 8 for each candidate;
-    // there are a few more candidates than pairs.
+    // together move along with them. If boxes would leave any margin at once, or if many come and go, no box has a
+    // margin, and each update searches for all pairs from scratch. Counts decide this, and decide again some updates
+    // later. Work per update: a few tests for each box that moves or moved lately; or that of a search from scratch,
+    // which is a sort and a sweep in the cells of a grid, however boxes move. Memory: about 240 bytes a box at rest,
+    // and 8 to 16 a pair, as above. While boxes move: about 230 more a box for searches from scratch, and 8 for each
+    // candidate; there are a few more candidates than pairs.
     kept_candidates,
 
     // Uses sweep_and_prune if boxes are few, otherwise kept_candidates. Only the number of boxes decides, at each
@@ -77,7 +77,7 @@ struct BroadPhaseCounts {
     std::uint64_t escaped = 0;              // boxes that left their margin
     std::uint64_t rebuilds = 0;             // updates at which all boxes were looked up
 
-    // Counts changes of the broad phase in use; only `automatic` has any.
+    // Counts switches from one broad phase to the other; only `automatic` switches.
     std::uint64_t switches = 0;
 };
 

@@ -54,14 +54,14 @@ namespace ecods {
 // slides and lifts without entering, and enters at 0 if it is pushed down.
 struct FirstEntry {
     double time = 0;  // rounded once, at least 2^-1074 unless it is 0
-    // The faces of a pair of triangles that go into each other then: of the pairs whose time rounds to `time`, the
-    // least. no_feature if inner points of two solids meet at the start.
+    // These are the faces of two triangles that go into each other at this time: the least of all pairs whose time
+    // rounds to `time`. They are no_feature if inner points of two solids meet at the start.
     Feature a, b;
 
     friend bool operator==(const FirstEntry&, const FirstEntry&) = default;
 };
 
-// An entry into a body of a World.
+// A BodyEntry is an entry into a body of a World.
 struct BodyEntry {
     BodyId body;
     FirstEntry entry;  // `entry.b` is a face of the body
@@ -76,13 +76,13 @@ struct BodyEntry {
 // it; if they meet at the start, the time is 0, whatever max_time is. Two surfaces: the first time at which a triangle
 // of a goes properly into or through one of b: the two share a point then, and not at time 0 alone; and seen along the
 // motion, they overlap inside. So surfaces that lie on each other at the start do not enter (a sheet has no side), but
-// such that come to lie on each other do; and whether a lone sheet that moves edge on enters another one may depend on
-// how both are cut into triangles, if the edge runs along a diagonal. Equal cubes, one on the other, pushed together,
-// enter as solids, and do not as surfaces: ask with mesh_of() where that is meant.
+// surfaces that come to lie on each other do; and whether a lone sheet that moves edge on enters another one may depend
+// on how both are cut into triangles, if the edge runs along a diagonal. Equal cubes, one on the other, pushed
+// together, enter as solids, but not as surfaces: to ask about the surfaces of solids, pass surface_of(solid).
 //
-// Rest is rarely exact: a body that is put down at a rounded translation is in the floor by an ulp half of the time,
-// and then enters at 0 whatever the direction; a direction made tangential in doubles goes into a tilted floor. So
-// let bodies stop at pose_before(), and keep a distance to tilted floors.
+// Bodies rarely lie on each other exactly. A body that is put down at a rounded translation is in the floor by an ulp
+// half of the time, and then enters at 0 whatever the direction; a direction that is tangential up to rounding goes
+// into a tilted floor. So let bodies stop at pose_before(), and keep a distance from tilted floors.
 //
 // Throws InvalidArgument if a coordinate of the motion is not finite, or max_time is negative or NaN; NotSupported for
 // a solid and a surface, and if a body is a flat solid or a solid at a singular pose. Neither starts from a witness nor
@@ -94,9 +94,9 @@ struct BodyEntry {
 
 // Returns a pose of doubles on the way of a, up to the time, at which it is proven that a is not in b: relation() says
 // that the bodies are apart or touch. The pose has the rotation of a; its translation is that of a point of the way,
-// rounded. nullopt if the bodies are not so even at the start. Usually the time of the pose is a few ulps less than
-// `time`; this is not promised, nor is anything about the way between. Throws InvalidArgument if the motion is not
-// finite, or the time not from 0 to 1. Cost: some relation(), at most 54.
+// rounded. Returns nullopt if the bodies share inner points at the start already. Usually the time of the pose is a few
+// ulps less than `time`; this is not promised, nor is anything about the way between. Throws InvalidArgument if the
+// motion is not finite, or the time not from 0 to 1. Cost: some calls of relation(), at most 54.
 [[nodiscard]] ECODS_API std::optional<Pose> pose_before(const Posed<MeshShape>& a, const Vec3& motion,
                                                         const Posed<MeshShape>& b, double time, const Ask& ask = {});
 

@@ -16,7 +16,7 @@
 // intersection.hpp. Only translations are answered: there is no cast_to_distance of a straight motion between two poses
 // or of a turn. World::cast_to_distance() asks about all bodies of a World.
 //
-// Method: the bodies are taken for rounded ones, whose radii have the distance as sum (rounded.hpp).
+// Method: the question is a cast of rounded bodies whose radii add up to the distance (rounded.hpp).
 //
 // Example: verify/examples/how_do_i, stop_at_a_distance().
 #pragma once

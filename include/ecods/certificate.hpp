@@ -12,8 +12,8 @@
 // The claim is the answer that the function without certificate (intersection.hpp, distance.hpp, hit.hpp) gives about
 // surfaces, for all finite poses and zero-area triangles. So the claim depends on the bits of meshes and poses alone.
 // For a solid the functions throw NotSupported, since a proof is about triangles; ask about surface_of(solid). Casts
-// have no certificates, of translations, straight motions, turns and ways alike: no function here takes a motion. The
-// proof may differ between floating-point environments, and is valid in each. A pose must be finite (validate(Pose)).
+// have no certificates, whatever the motion. The proof may differ between floating-point environments, and is valid in
+// each. A pose must be finite (validate(Pose)).
 //
 // Cost: that of the function without certificate, and a second walk that costs about as much. The text is made when it
 // is requested.

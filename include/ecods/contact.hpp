@@ -15,9 +15,9 @@
 //  - if they share inner points, it is the set of all pairs that the shortest translation brings together (Depth).
 //
 // It is never empty. Each corner is made by a pair of features: a vertex that is over a vertex, an edge or a face of
-// the other body, or two edges that cross, seen along n. A vertex that lies within a side of the patch is a corner only
-// if it is one of the patch. Numbers are those of the real points, rounded once, as in distance.hpp; none depends on
-// the order of triangles, the witness, memory, instruction set or compiler.
+// the other body, or two edges that cross, seen along n. A vertex of a mesh that lies inside a side of the patch, and
+// is no extreme point of it, is no corner. Numbers are those of the real points, rounded once, as in distance.hpp; none
+// depends on the order of triangles, the witness, memory, instruction set or compiler.
 //
 // Support features are exact: of a box that is tilted against its floor by 2^-50, it is an edge or a vertex, so that a
 // patch has one or two corners. PatchLimits::min_cos_squared takes faces that are tilted a bit, as physics engines do.
@@ -46,15 +46,17 @@ namespace ecods {
 
 // Says which corners contact_patch() returns.
 struct PatchLimits {
-    // The greatest number of corners; 0 for all. Of more corners, those are kept that contain the first one and span
-    // the largest area, seen along the normal; of several such choices the lexicographically first, by their places in
-    // the patch. Of two corners, the second is the one furthest from the first, across the normal. Decided exactly.
+    // Limits the number of corners; 0 keeps all. Otherwise the corners are kept that contain the first one and span the
+    // largest area, seen along the normal; of several such choices the lexicographically first, by their places in the
+    // patch. If the limit is 2, the second corner is the one furthest from the first, across the normal. Decided
+    // exactly.
     std::uint32_t max_corners = 0;
 
-    // The square of the cosine of the greatest angle between the normal and a face that counts as facing it; above 0
-    // and at most 1. Below 1, a support feature that is an edge or a vertex is replaced: by the face that contains it,
-    // is within this angle and has the least angle (of ties the first); if there is none and it is a vertex, by the
-    // edge at it that is within this angle of the plane across the normal, and has the least angle. Decided exactly.
+    // Sets the square of the cosine of the greatest angle between the normal and a face that counts as facing it; above
+    // 0 and at most 1. If it is below 1, a support feature that is an edge or a vertex is replaced: by the face that
+    // contains it, is within this angle and has the least angle (of ties the first); if there is none and it is a
+    // vertex, by the edge at the vertex that is within this angle of the plane perpendicular to the normal, and has the
+    // least angle. Decided exactly.
     double min_cos_squared = 1;
 
     // Corners with a greater gap are left out. May be negative, but neither NaN nor -infinity. Decided for real
@@ -67,20 +69,19 @@ struct PatchLimits {
 struct PatchCorner {
     Vec3 point_a = Vec3::Zero(), point_b = Vec3::Zero(), middle = Vec3::Zero();
     double gap = 0;
-    // The features of lowest dimension that contain the points: of a rounded body those of its core; of a half space
-    // the face of triangle 0. They are named as by closest() and signed_distance().
+    // These are the features of lowest dimension that contain the points, named as by closest() and signed_distance().
+    // A rounded body has those of its core; a half space has the face of triangle 0.
     Feature a, b;
 
     friend bool operator==(const PatchCorner&, const PatchCorner&) = default;
 };
 
-// The contact of two convex bodies.
+// A ContactPatch is the contact of two convex bodies.
 //
 // Corners are counterclockwise around the normal, seen from where it points to. The first is the one with the least
 // gap; of ties the first by the order of ClosestPoints. Without a tilt all gaps are equal, so that the first corner has
-// the points of signed_distance(). Of two corners, the first by this rule comes first. Exchanging the bodies turns the
-// normal around, and gives the same corners in the other direction, begun by the rule; unless several normals have the
-// same depth: then another one may be first.
+// the points of signed_distance(). Exchanging the bodies reverses the normal and the order of the corners; the first
+// corner follows from the same rule. If several normals have the same depth, another one of them may then be chosen.
 struct ContactPatch {
     double distance = 0;         // as in SignedDistance: the distance, or minus the depth
     Vec3 normal = Vec3::Zero();  // unit vector from a to b; of bodies that touch or overlap, the direction of Depth
@@ -154,9 +155,9 @@ struct DepthAlong {
 // the direction from the closest point of a's triangles at its feature to that of b's triangles at its feature. (A
 // triangle is at a vertex or an edge if it has corners with its coordinates; zero-area triangles of solids are left
 // out.) For a vertex and a face it is the face's normal, for two edges their cross product. For a vertex and an edge,
-// or two vertices, it is the projection of the motion onto the directions that separate two of these triangles at the
-// contact, of the pair whose projection is shortest; of ties the first pair of triangles. So a box that lands flat on a
-// floor has the floor's normal, whatever the way.
+// or two vertices, it is a projection of the motion onto the directions that separate two of these triangles at the
+// contact: the shortest one, of all pairs of triangles; among equal ones, that of the first pair. So a box that lands
+// flat on a floor has the floor's normal, whatever the way.
 //
 // The contact names one of several features that touch first, and both numbers are about that one alone.
 struct ContactPoint {
@@ -167,9 +168,10 @@ struct ContactPoint {
 };
 
 // Returns the point and the normal of a contact that cast(a, motion, b) returned. For the kinds `intersecting` and
-// `contained`, the point is that of closest(). Throws InvalidArgument; NotSupported if the contact is not one of these
-// bodies and this motion, as far as that is seen. Cost: one or two microseconds for a vertex and a face or for two
-// edges; otherwise a pass over both meshes, and some tens of microseconds for each pair of triangles at the features.
+// `contained`, the point is that of closest(). Throws InvalidArgument; NotSupported if the contact is found to belong
+// to other bodies or another motion, which is not always noticed. Cost: one or two microseconds for a vertex and a face
+// or for two edges; otherwise a pass over both meshes, and some tens of microseconds for each pair of triangles at the
+// features.
 [[nodiscard]] ECODS_API ContactPoint contact_point(const Posed<MeshShape>& a, const Vec3& motion,
                                                    const Posed<MeshShape>& b, const FirstContact& contact,
                                                    const Ask& ask = {});
@@ -193,7 +195,7 @@ struct ContactPoint {
 
 // ---- answers of a World
 
-// Two convex bodies that collide, and their contact patch.
+// A BodyPatch names two convex bodies that collide, and has their contact patch.
 struct BodyPatch {
     BodyPair bodies;
     ContactPatch patch;

@@ -32,7 +32,7 @@
 
 namespace ecods {
 
-// Immutable; copies share their data, and several threads may ask about one at the same time.
+// A Deforming is immutable. Copies share their data, and several threads may ask about one at the same time.
 class ECODS_API Deforming {
   public:
     // Takes the mesh of the shape at time 0, and the place of each of its vertices at time 1. For a step that goes on
@@ -50,13 +50,14 @@ class ECODS_API Deforming {
     std::shared_ptr<const Parts> parts_;
 };
 
-// Return the first contact of a deforming mesh with a body that stays, a body that moves from one pose to another
-// (cast.hpp), or another deforming mesh, in either order; nullopt if there is none up to max_time. If a part of one is
-// inside a solid at the start, the first contact is at time 0. Start from a witness, and leave the triangles that
-// decided. Throw InvalidArgument if max_time is negative or NaN; a max_time above 1 counts as 1.
+// Return the first contact of a deforming mesh with a body at rest, a body that moves from one pose to another
+// (cast.hpp), or another deforming mesh, in either order; nullopt if there is none up to max_time. If a part of one
+// body is inside a solid at the start, the first contact is at time 0. Start from a witness, and leave the triangles
+// that decided. Throw InvalidArgument if max_time is negative or NaN; a max_time above 1 counts as 1.
 //
-// Cost: that of cast() of moving bodies, as long as triangles stay near the triangles that they were near at the start:
-// the tree has the structure of the shape's. Meshes above 2^200 or below 2^-200 cost much more.
+// Cost: that of cast() of moving bodies, as long as triangles that are near each other at time 0 stay near each other:
+// the tree of boxes is that of time 0, with boxes at both ends of the motion. Meshes above 2^200 or below 2^-200 cost
+// much more.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Deforming& a, const Posed<MeshShape>& b,
                                                          double max_time = 1, const Ask& ask = {});
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Deforming& b,

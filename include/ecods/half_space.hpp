@@ -70,9 +70,10 @@ class ECODS_API HalfSpace final : public Shape {
 [[nodiscard]] ECODS_API bool intersects(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
                                         const Ask& ask = {});
 
-// Return how the body is to the half space. The body is apart; touching, if its lowest points are on the plane; inside,
-// if it has no point outside and some point not on the plane; otherwise overlapping (a solid) or crossing (a surface).
-// A body that lies in the plane is touching. A solid under a singular pose is touching wherever it shares a point.
+// Return the relation of the body to the half space. The body is apart; touching, if its lowest points are on the
+// plane; inside, if it has no point outside and some point not on the plane; otherwise overlapping (a solid) or
+// crossing (a surface). A body that lies in the plane is touching. A solid under a singular pose is touching wherever
+// it shares a point.
 [[nodiscard]] ECODS_API Relation relation(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
                                           const Ask& ask = {});
 [[nodiscard]] ECODS_API Relation relation(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,

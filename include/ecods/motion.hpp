@@ -25,7 +25,7 @@ struct Straight {
     friend bool operator==(const Straight&, const Straight&) = default;
 };
 
-// The motion of one body; Motion() is that of a body at rest. A Turn keeps the body rigid (turn.hpp).
+// A Motion is the motion of one body; Motion() is that of a body at rest. A Turn keeps the body rigid (turn.hpp).
 using Motion = std::variant<Translation, Straight, Turn>;
 
 // Throws InvalidArgument if a number is not finite (Argument::motion for a translation, pose, turn), and the other

@@ -56,7 +56,7 @@ static_assert(alignof(Pose) == alignof(double) && sizeof(Pose) == 12 * sizeof(do
 // Throws InvalidArgument for the first entry, row by row of [R t], that is NaN or infinite.
 ECODS_API void validate(const Pose& pose);
 
-// Throws InvalidArgument: a pointer to a thing to be posed is null.
+// Throws the InvalidArgument of a null pointer to a thing that was to be posed.
 [[noreturn]] ECODS_API void refuse_null_thing();
 
 // A Posed is a thing at a pose: the set of the real points R v + t for the points v of `what`.

@@ -22,9 +22,9 @@
 
 namespace ecods {
 
-// A Relation says how two sets of points lie. Two surfaces, or two triangles, are apart, touching or crossing. A
-// surface and a solid are apart, touching or crossing, or the surface is inside (and the solid contains it). Two solids
-// are in any relation but crossing.
+// A Relation says how two sets of points meet, if they do. Two surfaces, or two triangles, are apart, touching or
+// crossing. A surface and a solid are apart, touching or crossing, or the surface is inside (and the solid contains
+// it). Two solids are in any relation but crossing.
 enum class Relation : std::uint8_t {
     apart = 0,     // they share no point
     touching = 1,  // they share a point (one is enough), but are neither crossing nor overlapping
@@ -114,11 +114,11 @@ struct SharedSet {
     // normal.
     std::array<Vec3, 6> all_corners{};
 
-    // A unit vector in three cases; otherwise empty. (1) The shared set is inside one triangle's face, and in a vertex
-    // or an edge of the other triangle: the face's normal, (q - p) x (r - p) of its corners p, q and r. (2) It is in
-    // both faces: the first triangle's normal. (3) It is one point inside an edge of each, and these edges are not
-    // parallel: the cross product of the first triangle's edge and the second's, each from its corner to the next one.
-    // (If edges of a zero-area triangle lie on each other, the edge of the least corner counts.)
+    // Is a unit vector in three cases; otherwise empty. (1) The shared set is inside one triangle's face, and in a
+    // vertex or an edge of the other triangle: the face's normal, (q - p) x (r - p) of its corners p, q and r. (2) It
+    // is in both faces: the first triangle's normal. (3) It is one point inside an edge of each, and these edges are
+    // not parallel: the cross product of the first triangle's edge and the second's, each from its corner to the next
+    // one. (If edges of a zero-area triangle lie on each other, the edge of the least corner counts.)
     std::optional<Vec3> normal;
 
     std::span<const Vec3> corners() const noexcept { return std::span(all_corners).first(corner_count); }
@@ -135,13 +135,13 @@ struct TriangleIntersection {
 // equals 0), edges between the same two vertices are one edge, and each triangle has a face of its own. Each feature is
 // named by the least triangle and corner of the whole mesh that name it.
 struct CloseFeatures {
-    // The two features with their own distance and closest points. Features that touch have distance 0.
+    // Holds the two features with their own distance and closest points. Features that touch have distance 0.
     ClosestPoints closest;
 
-    // A unit vector, or empty. If the distance is positive: the direction from the closest point of `a` to the closest
-    // point of `b`. If it is 0 and a vertex touches a face: the face's normal, (q - p) x (r - p) of its corners p, q
-    // and r. If it is 0 and two edges touch: the cross product of the edge of `a` and the edge of `b`, each from the
-    // corner that names it to the next one. Empty for all other kinds.
+    // Is a unit vector, or empty. If the distance is positive: the direction from the closest point of `a` to the
+    // closest point of `b`. If it is 0 and a vertex touches a face: the face's normal, (q - p) x (r - p) of its corners
+    // p, q and r. If it is 0 and two edges touch: the cross product of the edge of `a` and the edge of `b`, each from
+    // the corner that names it to the next one. Empty for all other kinds.
     std::optional<Vec3> direction;
 };
 
@@ -179,10 +179,10 @@ struct Hit {
     double parameter = 0;        // of the first shared point
     double leave_parameter = 0;  // of the last one; differs from `parameter` only if `along`
     HitKind kind = HitKind::front;
-    // The number of distinct smaller real parameters with a hit. Hits of equal rank tie exactly.
+    // Counts the distinct smaller real parameters with a hit. Hits of equal rank tie exactly.
     std::uint32_t rank = 0;
-    // The feature of this triangle of lowest dimension that contains all shared points. Corners with equal coordinates
-    // are one vertex. If a feature has several names in the triangle, the one with the least corner is given.
+    // Names the triangle's feature of lowest dimension that contains all shared points. Corners with equal coordinates
+    // are one vertex. If a feature has several names in the triangle, that of the least corner is given.
     Feature feature;
     Vec3 point = Vec3::Zero();
     Vec3 leave_point = Vec3::Zero();
@@ -196,9 +196,9 @@ enum class Side : std::uint8_t { outside, on, inside };
 struct Location {
     Side side = Side::outside;
 
-    // The vertex, open edge or open face that contains the point, if it is on the surface. Of several such features,
-    // the one of lowest dimension is given, then the one of the least triangle and corner. Indices are those of the
-    // mesh.
+    // Names the vertex, open edge or open face that contains the point, if it is on the surface. Of several such
+    // features, the one of lowest dimension is given, then the one of the least triangle and corner. Indices are those
+    // of the mesh.
     Feature feature = {};
 
     friend bool operator==(const Location&, const Location&) = default;

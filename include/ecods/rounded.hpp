@@ -15,8 +15,8 @@
 // asked about, and so is each decision: balls of radii 1 and 2^-60 meet at distance 1. A body with radius 0 is its
 // core. Numbers are rounded once (distance.hpp).
 //
-// The questions, for a rounded body and any mesh, solid or rounded body; a World asks the same ones (world.hpp). In
-// this table, "convex" means that the core is a ConvexSolid, or a mesh of one triangle (a point, a segment, a
+// This table has the questions about a rounded body and any mesh, solid or rounded body; a World asks the same ones
+// (world.hpp). In it, "convex" means that the core is a ConvexSolid, or a mesh of one triangle (a point, a segment, a
 // triangle).
 //
 //     intersects, distance, within, closest, distance_bounds     answered
@@ -64,7 +64,7 @@
 
 namespace ecods {
 
-// All points within `radius` of a core.
+// A Rounded is the set of all points within `radius` of a core.
 class ECODS_API Rounded final : public Shape {
   public:
     // Throws InvalidArgument if the core is null, or the radius is negative, NaN or infinite.
@@ -77,16 +77,17 @@ class ECODS_API Rounded final : public Shape {
     std::uint64_t digest() const noexcept override;
 
     // Answer as hit.hpp says of a solid: a line that begins inside, and not on the surface, hits there, with parameter
-    // 0 and kind `inside`. all_hits() then has where the line comes into the body (`front`) and where it leaves it
-    // (`back`), at most one of each for each part of the line that is in the body, so the parts inside other parts have
-    // no hits; or `face`, where it only touches. A line that begins on the surface has its hit there. The feature is
-    // the core's that is closest to the hit point; of several, the first is given by the order of ClosestPoints. Of
-    // equal real parameters no hit is listed twice. In a World, a parameter is taken as exact, once it is rounded.
+    // 0 and kind `inside`. For each part of the line that is in the body, all_hits() has at most one hit where the line
+    // enters (`front`) and one where it leaves (`back`), and none between them; where the line only touches the body,
+    // it has a hit of the kind `face`. A line that begins on the surface has its hit there. The feature is the core's
+    // that is closest to the hit point; of several, the first by the order of ClosestPoints. No two hits have the same
+    // real parameter. A World takes the rounded parameter as exact.
     //
-    // Without a radius, the hits are those of the core. Throw NotSupported if the radius is below some 2^-48 of the
-    // coordinates, the core is a solid that is not convex, and all_hits() must decide if a part of the line inside it
-    // joins two hits. Cost: distances of parts of the line from the core; for each triangle that the line may be near
-    // first, or for all_hits() at all, some tens of microseconds.
+    // Without a radius, the hits are those of the core. all_hits() throws NotSupported if all of this is true: the
+    // radius is below some 2^-48 of the coordinates, the core is a solid that is not convex, and it must be decided if
+    // a part of the line inside the core joins two hits. Cost: distances of parts of the line from the core, and some
+    // tens of microseconds for each triangle that the line may be near first; for all_hits(), for each triangle that
+    // the line may be near.
     bool answers(Question question) const noexcept override { return question == Question::hits; }
     std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const override;
     std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const override;
@@ -103,8 +104,8 @@ class ECODS_API Rounded final : public Shape {
     ShapeKind kind_;
 };
 
-// Make a ball, and all points within `radius` of a segment, whose ends may be equal. Throw InvalidArgument for a
-// coordinate that is not finite, or a radius as above.
+// Make a ball, and a capsule: all points within `radius` of a segment, whose ends may be equal. Throw InvalidArgument
+// for a coordinate that is not finite, or a radius as above.
 [[nodiscard]] ECODS_API std::shared_ptr<const Rounded> sphere(double radius, const Vec3& center = Vec3::Zero());
 [[nodiscard]] ECODS_API std::shared_ptr<const Rounded> capsule(const Vec3& p, const Vec3& q, double radius);
 
@@ -119,9 +120,9 @@ class ECODS_API Rounded final : public Shape {
 [[nodiscard]] ECODS_API bool intersects(const Posed<Rounded>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 [[nodiscard]] ECODS_API bool intersects(const Posed<MeshShape>& a, const Posed<Rounded>& b, const Ask& ask = {});
 
-// Return how the first body is to the second. A body with a positive radius has an inside, so it is as a solid is
-// (intersection.hpp): apart, touching, overlapping, inside, contains or equal to another solid; and of a surface,
-// apart, touching, crossing or containing it.
+// Return the relation of the first body to the second. A body with a positive radius has an inside, so its relations
+// are those of a solid (intersection.hpp): to another solid apart, touching, overlapping, inside, contains or equal; to
+// a surface apart, touching, crossing or contains.
 //
 // Throw NotSupported, with both kinds, if inner points are shared and a body with a positive radius has a core that is
 // not convex: whether it contains the other one is not decided. Cost: up to three within(); if inner points are shared,
@@ -182,8 +183,8 @@ class ECODS_API Rounded final : public Shape {
 [[nodiscard]] ECODS_API SignedDistance signed_distance(const Posed<MeshShape>& a, const Posed<Rounded>& b,
                                                        const Ask& ask = {});
 
-// Return the depth of two convex bodies, and its direction: minus their signed distance; nullopt if they share no
-// point. The features are those of signed_distance(), unless neither body has a radius and both are convex solids
+// Return the depth of two convex bodies, which is minus their signed distance, and its direction; nullopt if they share
+// no point. The features are those of signed_distance(), unless neither body has a radius and both are convex solids
 // (solid.hpp). Throw NotSupported, with both kinds, if a body is not convex; errors and cost are otherwise those of
 // signed_distance().
 [[nodiscard]] ECODS_API std::optional<Depth> depth(const Posed<Rounded>& a, const Posed<Rounded>& b,

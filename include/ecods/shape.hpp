@@ -35,11 +35,11 @@ class ECODS_API Shape {
     // Returns a hash of the shape's content, for World::digest. Equal shapes must return equal hashes.
     virtual std::uint64_t digest() const noexcept = 0;
 
-    // Optional: the hits of a segment or ray with the shape. A shape for which answers(Question::hits) is true
-    // overrides both forms of all_hits. These return hits ascending by parameter; a World keeps the order of hits with
-    // the same parameter (a mesh orders them by triangle), and ignores `rank`. first_hit returns the first hit; by
-    // default it calls all_hits. For shapes that do not answer hits, all four throw NotSupported; a World that is asked
-    // for hits then throws it before it asks any body.
+    // Hits of a segment or ray are optional. A shape for which answers(Question::hits) is true overrides both forms of
+    // all_hits, which return hits ascending by parameter; a World keeps the order of hits with the same parameter (a
+    // mesh orders them by triangle), and ignores `rank`. first_hit returns the first hit; by default it calls all_hits.
+    // For shapes that do not answer hits, all four throw NotSupported; a World that is asked for hits then throws it
+    // before it asks any body.
     virtual bool answers(Question question) const noexcept;  // by default: none
     virtual std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const;
     virtual std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const;

@@ -49,7 +49,8 @@ struct Statistics {
     std::size_t filtered_count = 0;     // pairs whose boxes overlap and that are filtered out
     std::size_t colliding_count = 0;
 
-    // Memory that the world holds for bodies and pairs, spare capacity included, without meshes and the broad phase.
+    // Counts the bytes that the world holds for bodies and pairs, spare capacity included, without meshes and broad
+    // phase.
     std::size_t memory_bytes = 0;
 };
 

@@ -24,8 +24,8 @@
 // half a turn. angle_at() and time_at() convert.
 //
 // A turn ends at the rotation q R of the start's matrix R, which is rarely a matrix of doubles. The end is therefore
-// about 1e-16 of the body's size away from any pose in doubles; end_gap() bounds that distance. Who goes on from such a
-// pose asks settle() whether the gap between is free. A Way (way.hpp) of several turns has no gaps.
+// about 1e-16 of the body's size away from any pose in doubles; end_gap() bounds that distance. Before a body moves on
+// from such a pose, settle() says whether the gap between is free. A Way (way.hpp) of several turns has no gaps.
 //
 // The first time at which a turning body, or one that moves from pose to pose, is within a distance of another one has
 // no call: it is a root of a polynomial of degree 6, and first contacts are roots of lower degrees.
@@ -48,11 +48,11 @@ namespace ecods {
 // nullopt if there is none up to max_time. Bodies, time 0, max_time, grazing contact, rounding, witnesses and errors
 // are as cast.hpp says, for x(s) as above; poses may be any. Also throws what validate() throws for the turn.
 //
-// Cost: the way is searched as several straight moves, as many as the bodies' nearness needs: mostly less than twice as
-// much as the cast of one. The exact decision of two triangles, usually one in a cast, takes some tenths of a
-// millisecond. Throw NotSupported where no bound in doubles holds, so that all pairs had to be decided exactly: for a
-// turn within some 2^-28 of a whole one; |v| below 2^-500, or |v| or |w| above 2^500; and a pivot or glide above 2^500
-// times as large as the bodies.
+// Cost: the way is searched in several straight pieces, the more the nearer the bodies are to each other. Mostly this
+// costs less than twice as much as the cast of one straight move. The exact decision of two triangles, usually one in a
+// cast, takes some tenths of a millisecond. Throw NotSupported where no bound in doubles holds, so that all pairs would
+// have to be decided exactly: for a turn within some 2^-28 of a whole one; |v| below 2^-500, or |v| or |w| above 2^500;
+// and a pivot or glide above 2^500 times as large as the bodies.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Posed<MeshShape>& b,
                                                          double max_time = 1, const Ask& ask = {});
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Vec3& motion_of_b,
@@ -61,19 +61,19 @@ namespace ecods {
 
 // Returns the first contact of two bodies that both turn, each by a turn of its own; nullopt if there is none up to
 // max_time. All is as for one body that turns. Bodies that move as one (their quaternions are equal, their pivots glide
-// alike, and the axis through one is that through the other) keep their distance, so that they meet at time 0 or never.
+// alike, and both pivots are on one axis) keep their distance, so they meet at time 0 or never.
 //
-// Cost: some two or three times as much as if one of them turned. A motion of each body is compared with a straight
-// one, not the motion of one beside the other: bodies that move nearly as one, very near to each other, take several
-// times as many pieces. The exact decision of two triangles takes about a millisecond. Throws what the casts of one
-// turn throw, for either body.
+// Cost: some two or three times as much as if one of them turned. The motion of each body is compared with a straight
+// one, not the motion of one relative to the other; so bodies that move nearly as one, very near to each other, take
+// several times as many pieces. The exact decision of two triangles takes about a millisecond. Throws what the casts of
+// one turn throw, for either body.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Turning<MeshShape>& b,
                                                          double max_time = 1, const Ask& ask = {});
 
 // Returns the first contact of two bodies that each move in any way, as the casts above and those of cast.hpp do. If b
 // turns and a does not, and several pairs of features tie, the first is chosen as if b came first. Throws NotSupported
 // if one goes straight to another pose and the other one turns or is translated. Cost: that of the cast of these
-// motions; two bodies that are translated are a turn by no angle and a translation.
+// motions; two translated bodies are searched as a turn by the angle 0 and a translation.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Motion& motion_of_a,
                                                          const Posed<MeshShape>& b, const Motion& motion_of_b,
                                                          double max_time = 1, const Ask& ask = {});
@@ -103,13 +103,13 @@ namespace ecods {
 [[nodiscard]] ECODS_API double angle_at(const Turn& turn, double time);
 [[nodiscard]] ECODS_API double time_at(const Turn& turn, double angle);
 
-// Returns the first contact with b on the straight way of each vertex of a from where it is at the end of the turn, as
-// a real point, to where it is at the pose `to`; nullopt if there is none. Ask it after a cast() without contact,
-// before going on from `to`: then the body has met nothing on the turn nor in the gap. The time is from 0 to 1 on that
-// way, and exact, as in cast.hpp. Triangles alone are asked: that no part of a is inside of b at the end of the turn is
-// what the cast has said. If triangles share a point there, the time is 0. Needed only if the bodies may be nearer than
-// end_gap() at the end; where they are not, it costs about as much as intersects(). Makes new scratch memory each time.
-// Throws InvalidArgument.
+// Returns the first contact of a with b while each vertex of a moves straight from its real place at the end of the
+// turn to its place at the pose `to`; nullopt if there is none. Call it after a cast() without contact, before the body
+// moves on from `to`: then the body has met nothing on the turn and in the gap. The time, from 0 to 1, is that on this
+// straight way, exact as in cast.hpp. Only triangles are tested, since the cast has shown that no part of a is inside b
+// at the end of the turn. If triangles share a point there, the time is 0. The call is needed only if the bodies may be
+// nearer to each other than end_gap() at the end; if they are not, it costs about as much as intersects(). Makes new
+// scratch memory each time. Throws InvalidArgument.
 [[nodiscard]] ECODS_API std::optional<FirstContact> settle(const Turning<MeshShape>& a, const Pose& to,
                                                            const Posed<MeshShape>& b, const Ask& ask = {});
 

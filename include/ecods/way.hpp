@@ -53,8 +53,8 @@ struct WayNode {
 // ("nodes", without an index).
 ECODS_API void validate(std::span<const WayNode> nodes);
 
-// A thing that is at a pose at the first of the nodes, and then goes along them. It has copies of pose and nodes, and
-// refers to or keeps the thing as Posed does.
+// A Way is a thing that is at a pose at the first of the nodes, and then goes along them. It has copies of pose and
+// nodes, and refers to or keeps the thing as Posed does.
 template <class T>
 struct Way {
     Way(const T& thing, const Pose& start, std::vector<WayNode> along)
@@ -77,7 +77,7 @@ struct Way {
 template <class T>
 Way(std::shared_ptr<T>, const Pose&, std::vector<WayNode>) -> Way<std::remove_const_t<T>>;
 
-// The first contact on a way: leg 0 is that from node 0 to node 1.
+// A WayContact is the first contact on a way; leg 0 goes from node 0 to node 1.
 struct WayContact {
     std::size_t leg = 0;
     FirstContact contact;  // its time is that in the leg, rounded once
@@ -91,7 +91,7 @@ struct WayContact {
 // To stop earlier, leave nodes out. contact_point() (contact.hpp) has the point and the normal.
 //
 // Starts from a witness, and leaves the triangles that decided. Throws what validate() throws; NotSupported as cast()
-// of a Turning does, if a leg is like that and there is no contact before it. Cost: that of a cast of a Turning for
+// of a Turning does, if a leg is such a turn and there is no contact before it. Cost: that of a cast of a Turning for
 // each leg up to the contact; the exact decision of two triangles takes a few times as long as that of a Turn, since
 // two quaternions have more digits than one.
 [[nodiscard]] ECODS_API std::optional<WayContact> cast(const Way<MeshShape>& a, const Posed<MeshShape>& b,

@@ -1,4 +1,4 @@
-// Many moving bodies: which of them touch, which come close, and which is the nearest?
+// A World holds many moving bodies, and answers which of them touch, which come close, and which is the nearest.
 //
 //     World world;
 //     BodyId a = world.create_body(mesh, pose_a);
@@ -72,8 +72,8 @@ class ECODS_API World {
     // Sets the pose. To set the same pose again is not a move. Throws InvalidArgument if the pose is not finite.
     void set_pose(BodyId body, const Pose& pose);
 
-    // Sets the poses of all these bodies, or of none if the call throws; of a body that is listed twice the later one.
-    // Throws InvalidArgument if the lists differ in length. An error about an entry (also StaleBody) has its index.
+    // Sets the poses of all these bodies, or of none if the call throws; of a body listed twice, the later pose. Throws
+    // InvalidArgument if the lists differ in length. An error about an entry (also StaleBody) has its index.
     void set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses);
 
     // Sets the shape. To set the same object again is not a change. A mesh that deforms is a new shape each time.
@@ -165,7 +165,7 @@ class ECODS_API World {
     std::span<const BodyPair> close_began() const;
     std::span<const BodyPair> close_ended() const;
 
-    // Returns colliding_pairs() with how the first body of each is to the second. Exact; empty unless
+    // Returns colliding_pairs() with the relation of the first body to the second. Exact; empty unless
     // set_relations(true) was called before the last update.
     std::span<const PairRelation> relations() const;
 
@@ -281,19 +281,19 @@ class ECODS_API World {
     // Suppose that the subject is translated by t * `motion` at each time t (cast.hpp), or moves in any way
     // (motion.hpp); nothing is moved. Return the body that it meets first, or nullopt if it meets none up to max_time.
     // A max_time above 1 counts as 1. Throw the errors of the cast of two bodies. Need tests that answer
-    // Question::cast; for turns and straight motions cast_any_motion, as of the library's tests only those of meshes.
+    // Question::cast; for turns and straight motions cast_any_motion, which only the tests of meshes do.
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Motion& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
-    // Returns the body that the subject, so translated, is first within `distance` of (cast_to_distance.hpp, with its
-    // errors). Throws NotSupported unless it and all that it may meet are meshes or rounded bodies. In no trace.
+    // Returns the first body within `distance` of the translated subject (cast_to_distance.hpp, with its errors).
+    // Throws NotSupported unless all bodies asked are meshes or rounded bodies. Not written to traces.
     [[nodiscard]] std::optional<BodyContact> cast_to_distance(const Asked& subject, const Vec3& motion, double distance,
                                                               double max_time = 1, const Ask& ask = {}) const;
 
-    // Returns the body that the subject, so translated, enters first (cast.hpp), by rounded times, then ids. Throws
-    // NotSupported unless it and all that it may meet are surfaces, or all solids with inner points. In no trace.
+    // Returns the first body that the translated subject enters (cast.hpp), by rounded times, then ids. Throws
+    // NotSupported unless all bodies asked are surfaces, or all are solids with inner points. Not written to traces.
     [[nodiscard]] std::optional<BodyEntry> entering(const Asked& subject, const Vec3& motion,
                                                     const Ask& ask = {}) const;
     // Returns the point and normal of a contact that cast(subject, motion) returned (contact.hpp, with its errors).
