@@ -41,7 +41,7 @@ std::string pose_entry(int row, int column) {
     return column == 3 ? "t(" + r + ")" : "R(" + r + ", " + std::to_string(column) + ")";
 }
 
-// Names of questions, indexed by the enumerator's value.
+// Lists the names of questions, indexed by the enumerator's value.
 constexpr std::array<std::string_view, 13> question_names = {"relation",       "intersecting_triangles",
                                                              "distance",       "within",
                                                              "closest",        "intersections",

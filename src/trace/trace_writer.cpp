@@ -21,7 +21,7 @@ void TraceWriter::end_line() {
     put_text();
 }
 
-// Sends one line for each item to the stream at once, so that a long list takes no memory.
+// Writes the line of each item to the stream as soon as it is complete, so that a long list takes no memory.
 void TraceWriter::FieldWriter::posed_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const {
     put(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -1,4 +1,4 @@
-// Makes the two-body tests of meshes; every world has the first one from the start.
+// Makes two two-body tests of meshes. Every world has the first of them from the start.
 #pragma once
 
 #include <memory>

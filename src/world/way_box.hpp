@@ -1,4 +1,4 @@
-// Boxes that contain a body of a world during its whole motion.
+// Computes boxes that contain a body of a world during its whole motion.
 #pragma once
 
 #include "ecods/motion.hpp"

@@ -74,7 +74,7 @@ void append_known(const PairVerdicts& collisions, const Changes& changes, const 
     }
 }
 
-// Throws the errors of the motion, which is the body's in a list.
+// Throws the errors of the motion, with the body, and with the motion's index in its list.
 void require_valid(const Motion& motion, BodyId body, std::size_t index) {
     try {
         validate(motion);

@@ -1,5 +1,5 @@
-// Casts of two bodies of any motions are those of their kinds: two straight motions, two translations, two turns, or a
-// turn and a translation.
+// Casts two bodies that move in any way, by the cast for the kinds of their motions: two straight motions, two
+// translations, two turns, or a turn and a translation.
 #include <utility>
 #include <variant>
 

@@ -16,9 +16,9 @@
 namespace ecods {
 
 // Returns true if a vertex of a piece of one body is in the other body, which has an inside. If the result is false and
-// the boundaries share no point, the bodies share none. Counts as part of another question.
-// Cost: two boxes, and a ray for each piece that has a vertex in the other body's box. Of many pieces, most of those
-// outside need no ray (OutsideBall).
+// the boundaries share no point, the bodies share none. The work is counted as part of the question that calls this
+// function. Cost: two boxes, and a ray for each piece that has a vertex in the other body's box. If there are many
+// pieces, most pieces outside need no ray (OutsideBall).
 bool is_part_inside(const BodyPairAsked& bodies, QueryMemory& memory);
 
 // ContainedFeatures are the features that ClosestPoints names for contained bodies: a vertex of one body, and no

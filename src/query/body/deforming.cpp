@@ -14,7 +14,7 @@
 namespace ecods {
 namespace {
 
-// A body as it is asked about at the start, and its boundary at both ends.
+// Holds a body as a set of points at the start, and its boundary at both ends of its motion.
 class BodyOnItsWay {
   public:
     explicit BodyOnItsWay(const Deforming& mesh)

@@ -77,7 +77,7 @@ std::optional<Pose> pose_before(const Posed<MeshShape>& a, const Vec3& motion, c
         if (!is_finite(pose) || !is_free(relation(Posed<MeshShape>(*a.what, pose), b, memory))) return std::nullopt;
         return pose;
     };
-    // Asks at the time, then at (1 - 2^-k) times the time for k from 52 down to 0.
+    // Tries the pose at the time, then those at (1 - 2^-k) times the time for k from 52 down to 0.
     return as_one_query(memory, [&]() -> std::optional<Pose> {
         constexpr int most = 53;
         for (int k = most; k >= 0; --k) {

@@ -7,8 +7,8 @@
 
 namespace ecods {
 
-// Calls find(line) for each line, in their order; it returns the hits of the line. Throws InvalidArgument before that
-// if a line is not valid.
+// Calls find(line), which must return the hits of the line, for each line in order. If a line is not valid, throws
+// InvalidArgument before the first call.
 template <class Lists, class SegmentOrRay, class Find>
 Lists list_hits(std::span<const SegmentOrRay> lines, const Find& find) {
     validate_all(lines);

@@ -27,7 +27,7 @@ ScaledLongVector normal_of(const Posed<MeshShape>& body, std::uint32_t triangle)
     return cross(minus(corner(1), p), minus(corner(2), p));
 }
 
-// A normal n, with the sign and the square of n . d, and the square of |n|.
+// Opposed is a normal n, with the sign and the square of n . d, and the square of |n|.
 struct Opposed {
     Opposed(ScaledLongVector normal, const ScaledLongVector& direction) : n(std::move(normal)), nn(dot(n, n)) {
         const ScaledInteger along = dot(n, direction);

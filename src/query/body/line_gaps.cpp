@@ -15,10 +15,10 @@
 namespace ecods {
 namespace {
 
-// Names the vertices of a mesh whose pose puts them on the line, or beside it.
+// Names the vertices of the mesh of LinePlaces. Its pose puts them on the line, or beside it.
 enum PlaceOnLine : std::uint32_t { begin, after_begin, beside_begin, before_begin, end, after_end };
 
-// LinePlaces makes these vertices. The pose maps (s, 1 - s, 0) to the point of a segment, or (s, r, 0) to the point at
+// LinePlaces poses these vertices. The pose maps (s, 1 - s, 0) to the point of a segment, or (s, r, 0) to the point at
 // s + r of a ray; its third column is the shift. So the places are exact, whatever the numbers are.
 class LinePlaces {
   public:

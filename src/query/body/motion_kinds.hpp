@@ -1,4 +1,4 @@
-// MotionKinds alone says of which kinds of motions two bodies are cast (cast_any_motion.cpp).
+// MotionKinds knows for which kinds of motions a cast of two bodies exists (cast_any_motion.cpp).
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace ecods {
 
 class MotionKinds {
   public:
-    // Adds the motion of a body that is at the pose `start` at time 0. A body that stays where it is does not count.
+    // Adds the motion of a body that is at the pose `start` at time 0. A body at rest does not count.
     void add(const Pose& start, const Motion& motion);
 
     // Throws NotSupported if there is no cast of some two of the bodies added.
@@ -23,7 +23,7 @@ class MotionKinds {
 // Both arguments must outlive the result.
 const Pose* straight_end(const Pose& start, const Motion& motion);
 
-// Returns a turn that moves every body as the motion does: a translation is a turn by no angle. Call only for
+// Returns a turn that moves every body as the motion does: a translation is a turn by the angle 0. Call only for
 // translations and turns.
 Turn turn_of(const Motion& motion);
 

@@ -29,7 +29,7 @@ struct Place {
 // Returns the position at parameter s of the line, also if s is off by up to 4 u' s.
 Place place_on(const Line& line, double s);
 
-// NearLine lists pairs of the points of a line and the triangles of a boundary: pair.a is 0.
+// NearLine lists the triangles of a boundary that may be near points of a line, as pairs with pair.a = 0.
 class NearLine {
   public:
     // Everything that the arguments refer to must outlive this object.
@@ -45,7 +45,7 @@ class NearLine {
     QueryMemory& memory_;
 };
 
-// NearWay lists pairs of triangles of a boundary that is translated, and of another boundary.
+// NearWay lists pairs of a triangle of a translated boundary and a triangle of another boundary.
 class NearWay {
   public:
     NearWay(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, const exact::ExactSum& p,

@@ -36,8 +36,8 @@ DistanceBounds reduced(const DistanceBounds& bounds, const exact::ExactSum& marg
 
 using ConvexPair = std::pair<Posed<ConvexSolid>, Posed<ConvexSolid>>;
 
-// Returns the cores as convex sets of positive volume or flat ones, if they are such sets. The distance of these is
-// found without looking at all triangles that tie.
+// Returns the cores as convex solids, which may be flat, if both are convex. The search for the distance of convex
+// solids need not look at all triangles that tie.
 std::optional<ConvexPair> convex_pair(const RoundedPair& pair) {
     const auto is_convex = [](const Posed<MeshShape>& core) {
         return convex::is_convex_core(*core.what) && exact::is_regular(core.pose.R);
@@ -47,7 +47,8 @@ std::optional<ConvexPair> convex_pair(const RoundedPair& pair) {
     return ConvexPair{convex::convex_core(a.core), convex::convex_core(b.core)};
 }
 
-// Both are what core_distance.hpp says. The limit and the margin are positive.
+// Do the same as within() and distance() of core_distance.hpp, but search convex cores as convex solids if the limit or
+// the margin is positive.
 bool is_within(const RoundedPair& pair, const exact::Limit& limit, const Ask& ask) {
     const auto cores = convex_pair(pair);
     if (!cores || limit.sum.sign() <= 0) return cores::within(pair.a.core, pair.b.core, limit, ask);
@@ -81,7 +82,7 @@ void RoundedPair::count_found(const RoundedSegments& found, const Ask& ask) {
     asking.witness() = {found.names().a.triangle, found.names().b.triangle};
 }
 
-// Bodies without radii are asked about as their cores are.
+// Counts the query if doubles decide it.
 std::optional<int> RoundedPair::filtered(double max_distance, const Ask& ask) const {
     const auto sign = SmallPair(*this).compare(max_distance);
     if (sign) {

@@ -1,6 +1,6 @@
-// Answers casts of rounded bodies, and casts to a distance. Bodies that are further apart at the start come to the
-// distance when their cores are first at the distance p, the sum of it and the radii. Since p > 0, the cores are apart
-// then, and closest to each other on their boundaries.
+// Answers casts of rounded bodies, and casts to a distance. Let p be the sum of the radii and of the distance in
+// question. Bodies that are further apart at the start come to this distance when their cores first come to the
+// distance p. Since p > 0, the cores are then apart, and closest to each other on their boundaries.
 #include <limits>
 
 #include "base/double_key.hpp"
@@ -20,7 +20,8 @@ namespace ecods {
 namespace {
 
 // Returns the first contact of the pairs found if its real time is at most `latest`: the least rounded time, then the
-// first features. A pair whose time rounds to `latest` may be late; one that is not must have the same rounded time.
+// first features. A pair whose time rounds to `latest` may be late; then another pair with the same rounded time must
+// not be late.
 std::optional<FirstContact> first_by(double latest, const std::vector<NearTimes>& found) {
     const NearTimes* best = nullptr;
     const auto key = [](const NearTimes& times) { return key_of(times.interval.first.rounded); };

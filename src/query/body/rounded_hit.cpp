@@ -30,7 +30,7 @@ using exact::ScaledInteger;
 
 constexpr double no_end = std::numeric_limits<double>::infinity();
 
-// An end of an interval: a parameter, rounded once, the core's feature, and if it is the line's beginning.
+// An End is an end of an interval: its exact parameter, the parameter rounded once, and the core's feature there.
 struct End {
     RootSum at;
     double rounded = 0;
@@ -137,8 +137,8 @@ class LineAsked {
         return {end.time, end.rounded, feature};
     }
 
-    // Returns the first of the intervals found that begins at the least real parameter, by the order of features; it
-    // is no moment if another one that begins there is none.
+    // Returns the interval that begins at the least real parameter. Of several, the first by the order of features
+    // gives the beginning, and the one that ends last gives the end.
     std::optional<Interval> first_of(const RoundedWay& way) const {
         const NearTimes* best = nullptr;
         for (const NearTimes& times : way.found()) {

@@ -1,5 +1,6 @@
-// Closest features of two small convex cores are guessed in doubles. Fixed precision finds their closest points; that
-// these are closest points of the cores follows if no vertex is beyond a feature (closest_hulls.hpp).
+// Finds the closest points of two small convex cores. Doubles guess the closest features, and fixed precision finds the
+// closest points of these features. They are closest points of the cores if no vertex is beyond a feature
+// (closest_hulls.hpp).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +23,7 @@ using convex::SmallHull;
 using convex::SmallHulls;
 using exact::Point;
 
-// The features of a body are named as those of the convex set, or as those of its triangles.
+// Says how features are named: as those of the convex set, or as those of its triangles.
 enum class Meaning : std::uint8_t { sets, triangles };
 
 Meaning meaning_of(const CoreAndRadius& a, const CoreAndRadius& b) {
@@ -48,7 +49,7 @@ class NamedFeature {
     std::array<std::uint32_t, 3>& corners() const noexcept { return features_.corners[side_]; }
     std::size_t count() const noexcept { return features_.count[side_]; }
 
-    // A triangle names an edge by the corner at which it begins.
+    // Names the feature by the core's only triangle, which names an edge by the corner at which it begins.
     bool find_of_triangle(Feature& name) const noexcept {
         const auto [i, j, k] = corners();
         name = {static_cast<Feature::Kind>(count() - 1), 0, i};
@@ -135,8 +136,8 @@ exact::SegmentEnds ends_of(const SmallHulls& hulls, const SmallFeatures& feature
             segment_of(hulls[1], features.corners[1], features.count[1]), high};
 }
 
-// Takes the points of the segments of a vertex and a face for those of the two features: the vertex, and its foot.
-// Returns false unless the foot is inside the triangle.
+// Replaces the closest points of two segments by those of the vertex and the face that the segments stand for: the
+// vertex, and its foot. Returns false unless the foot is inside the triangle.
 bool move_to_features(exact::ClosestOnSegments& at, const exact::SegmentEnds& ends, std::size_t of_face) noexcept {
     if (!(at.parameter_max[0] + at.parameter_max[1] < 1 - 4 * two_u)) return false;
     const std::size_t of_vertex = 1 - of_face;
@@ -152,8 +153,8 @@ bool move_to_features(exact::ClosestOnSegments& at, const exact::SegmentEnds& en
     return true;
 }
 
-// True if no vertex of a core is beyond its feature. Coordinates of w as doubles are off by a cut digit, and their
-// errors.
+// True if all other vertices of both cores are certainly behind the features, along w. In doubles, a coordinate of w is
+// off by `errors`, and by one unit for the digits that are cut off.
 bool are_closest(const SmallHulls& hulls, const SmallFeatures& features, const exact::IntegerVector& w,
                  const exact::ErrorBounds& errors) noexcept {
     const std::uint64_t most = std::max({errors[0], errors[1], errors[2]});

@@ -1,4 +1,4 @@
-// Two bodies of a question, at least one of which may be rounded, as cores and radii.
+// Represents the two bodies of a question, which may be rounded, as cores and radii.
 #pragma once
 
 #include <optional>
@@ -21,10 +21,11 @@ struct CoreAndRadius {
     ShapeKind kind = ShapeKind::mesh();
 };
 
-// The questions of rounded.hpp. All shapes and poses must outlive the call.
+// A RoundedPair answers the questions of rounded.hpp. All shapes and poses must outlive the call.
 struct RoundedPair {
     exact::Radii radii() const noexcept { return {a.radius, b.radius}; }
-    // Returns the sign of the distance of the cores less the radii and max_distance, if doubles decide it (-1 or 1).
+    // Returns the sign of (distance of the cores) - (radii) - max_distance, -1 or 1, if doubles decide it; otherwise
+    // nullopt.
     std::optional<int> filtered(double max_distance, const Ask& ask) const;
 
     // Counts a query that fixed precision has answered.

@@ -12,7 +12,7 @@
 namespace ecods {
 namespace {
 
-// The distance of a point from the surface of a core, and a radius.
+// AskedPoint computes the distance of a point from a rounded body: from the surface of its core, less the radius.
 class AskedPoint {
   public:
     // Throws InvalidArgument unless the point is finite.

@@ -1,4 +1,4 @@
-// The relation of two bodies with radii r and s around cores A and B, of which at least one radius is positive.
+// Finds the relation of two bodies with radii r and s around cores A and B; at least one radius is positive.
 //
 // Let D be the distance of the cores. At D = r + s > 0 the bodies touch: a common point x is on a segment from A to B
 // of length r + s, at distance r from A. If s > 0, points of the segment beyond x are further than r from A, so x is no
@@ -11,11 +11,10 @@
 //  - If r <= s, if and only if each vertex of A is within s - r of B. (B + (s - r) is closed and convex. If it contains
 //    the vertices of A, it contains A, and so B + s contains A + r. If a vertex lies outside, there is a plane with
 //    this vertex on one side and B + (s - r) on the other; shifted by r, it parts a point of A + r from B + s.)
-//  - If r > s, if and only if A is in B and no nearer than r - s to the boundary of B, so B must have inner points. A
-//  is
-//    connected, since a core with a radius is convex here; so one vertex of it says if A is in B. (By
-//    the same planes, A + r is in B + s if A + (r - s) is in B. The ball around a point of B is in B if no point of the
-//    boundary is inside the ball.)
+//  - If r > s, if and only if A is in B and no nearer than r - s to the boundary of B, so B must have inner points.
+//    (By the same planes, A + r is in B + s if A + (r - s) is in B. The ball around a point of B is in B if no point of
+//    the boundary is inside the ball.) A is connected, since a core with a radius is convex here; so one vertex of A
+//    shows if A is in B.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -42,7 +41,8 @@ bool has_inside(const CoreAndRadius& body) {
     return is_positive(body.radius) || PosedBody(body.core).has_inside();
 }
 
-// True unless the body has a radius and a core that is not convex: it is not decided which bodies it contains.
+// True unless the body has a radius and a core that is not convex. Whether such a body contains another one is never
+// decided.
 bool may_contain(const CoreAndRadius& body) noexcept {
     return !is_positive(body.radius) || body.kind == ShapeKind::rounded_convex();
 }

@@ -1,6 +1,6 @@
-// Answers the questions about two spheres or capsules, and about other rounded bodies with small convex cores, in fixed
-// precision, where that decides each answer: about as fast as in doubles, and the same answers as those of the search
-// for closest triangles.
+// Answers questions about two spheres or capsules, and about other rounded bodies with small convex cores, in fixed
+// precision, if that suffices. This is about as fast as doubles, and gives the same answers as the search for the
+// closest triangles.
 #pragma once
 
 #include <optional>
@@ -20,12 +20,12 @@ class RoundedSegments {
     static std::optional<RoundedSegments> find(const CoreAndRadius& a, const CoreAndRadius& b) noexcept;
 
     // Does the same for other cores, whose hulls must be small. Returns nullopt unless exactly one pair of points is
-    // closest, inside features that are known. The closest points of two vertices or edges are those of segments; those
-    // of a vertex and a face are so, too (exact/point/segment_ends.hpp).
+    // closest, inside features that are known. Two vertices or edges have the closest points of two segments; so have a
+    // vertex and a face (exact/point/segment_ends.hpp).
     static std::optional<RoundedSegments> find_of_hulls(const CoreAndRadius& a, const CoreAndRadius& b,
                                                         convex::SmallHulls& hulls);
 
-    // Return nullopt if a rounding is not certain. The distance is that of the cores less both radii, also if it is
+    // Return nullopt if a rounding is not certain. The distance is (distance of the cores) - (radii), also if it is
     // negative.
     std::optional<double> signed_distance() const noexcept;
     std::optional<ClosestPoints> signed_closest() const noexcept;
@@ -34,12 +34,12 @@ class RoundedSegments {
     // Returns the unit vector from the first core's closest point to the second's.
     std::optional<Vec3> direction() const noexcept;
 
-    // Returns the middle of the two points.
+    // Returns the middle of the two closest points.
     std::optional<Vec3> middle() const noexcept;
     // True if no other points of the cores are as close.
     bool is_only() const noexcept { return at_.is_only; }
 
-    // The features that contain the closest points.
+    // Names the features that contain the closest points.
     struct Names {
         ClosestKind kind = ClosestKind::vertex_vertex;
         Feature a, b;
@@ -51,12 +51,12 @@ class RoundedSegments {
                     const exact::Radii& radii, const Names& names) noexcept
         : at_(at), w_(w), unit_(unit), radii_(radii), names_(names) {}
 
-    // A number in units of 2^unit.
+    // A Gap is a number in units of 2^unit, with an error bound.
     struct Gap {
         exact::FixedNumber number;
         int unit;
     };
-    Gap gap() const noexcept;  // the distance of the cores less both radii
+    Gap gap() const noexcept;  // (distance of the cores) - (radii)
 
     exact::ClosestOnSegments at_;
     exact::FixedVector w_;

@@ -1,5 +1,5 @@
-// Answers the signed distance and the depth of rounded bodies. Let h(n) be the gap of two convex sets along a unit
-// vector n: the least n . y of the second less the greatest n . x of the first. Radii shorten the gap by their sum p
+// Computes the signed distance and the depth of rounded bodies. Let h(n) be the gap of two convex sets along a unit
+// vector n: (the least n . y of the second) - (the greatest n . x of the first). Radii shorten the gap by their sum p
 // along every vector. So the greatest gap of all, which is the distance D, or minus the depth, is less by p.
 #include "base/double_key.hpp"
 #include "ecods/error.hpp"

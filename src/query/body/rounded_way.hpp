@@ -15,7 +15,8 @@
 
 namespace ecods {
 
-// The times, from 0 on, at which two triangles are within p, and the features with closest points at both ends.
+// Holds the interval of times, from 0 on, at which two triangles are within p, and the features with closest points at
+// both ends.
 struct NearTimes {
     exact::RoundedContact::Interval interval;
     FeatureNames first, last;
@@ -29,8 +30,8 @@ class RoundedWay {
                const exact::ExactSum& p)
         : a_(a), motion_(motion), b_(b), p_(p) {}
 
-    // Returns these times; nullopt if there are none. Cost: some exact operations for each pair of features of the two
-    // triangles.
+    // Returns the times of a pair; nullopt if there are none. Cost: some exact operations for each pair of features of
+    // the two triangles.
     std::optional<NearTimes> times(const TrianglePair& pair) const;
 
     // Adds the pairs that have times and were not added before.

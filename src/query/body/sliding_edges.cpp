@@ -48,8 +48,8 @@ struct InPlane {
         return compare(s.least, t.greatest) < 0 && compare(t.least, s.greatest) < 0;
     }
 
-    // Times between which no line in the plane separates the two form an interval. Returns its first time from 0 on, if
-    // this is less than `end`; otherwise nullopt.
+    // Returns the first time from 0 on at which no line in the plane separates segment and triangle, if it is less than
+    // `end`; otherwise nullopt. All such times form an interval.
     std::optional<double> first_time(const ScaledInteger& end) const {
         std::vector<ScaledLongVector> sides{minus(segment[1], segment[0])};
         for (std::size_t i = 0; i < 3; ++i) sides.push_back(minus(triangle[(i + 1) % 3], triangle[i]));

@@ -2,10 +2,10 @@
 //
 // Let n be the outer normal of a face f. Near a point of the edge e, the edge's solid is a union of wedges around e,
 // whose sides are the half-planes of the triangles at e. The wedges reach strictly below f, into the directions d with
-// n.d < 0, if one of the half-planes does; or if no half-plane does and all directions below f belong to a wedge. The
-// half-plane that is nearest to the directions below f decides the latter. If it is in the plane of f, the directions
-// below are on its inner or its outer side. Otherwise it has all other half-planes on one side, and the directions
-// below are on its other side.
+// n.d < 0, if one of the half-planes does; or if no half-plane does and all directions below f belong to a wedge. In
+// the second case, the half-plane that is nearest to the directions below f decides if they do. If it is in the plane
+// of f, the directions below are on its inner or its outer side. Otherwise it has all other half-planes on one side,
+// and the directions below are on its other side.
 //
 // If the wedges reach below f, e's solid and f's solid share inner points beside f while the open segment e is in the
 // open triangle f. Let e and f be in one plane that is parallel to the motion. Then e enters f like a segment enters a

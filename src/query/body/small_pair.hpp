@@ -1,5 +1,5 @@
-// Two rounded bodies whose questions doubles and fixed precision try first: spheres and capsules, and other bodies with
-// small convex cores. At least one must have a radius.
+// A SmallPair is two rounded bodies about which doubles and fixed precision decide most questions: spheres, capsules,
+// and other bodies with small convex cores. At least one must have a radius.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,10 @@ class SmallPair {
     // The pair must outlive this object.
     explicit SmallPair(const RoundedPair& pair) noexcept;
 
-    // Returns the sign of the distance of the cores less the radii and max_distance, if doubles decide it (-1 or 1).
+    // Returns the sign of (distance of the cores) - (radii) - max_distance, -1 or 1, if doubles decide it; otherwise
+    // nullopt.
     std::optional<int> compare(double max_distance) noexcept;
-    // Returns the closest points, if fixed precision decides where they are. Goes on where compare() ended.
+    // Returns the closest points, if fixed precision decides where they are. Continues from the result of compare().
     std::optional<RoundedSegments> find_closest();
 
   private:

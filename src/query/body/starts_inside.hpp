@@ -15,7 +15,8 @@ inline const Vec3& begin_of(const Ray& ray) noexcept {
     return ray.origin;
 }
 
-// Returns true if the point is inside the solid, and not on its surface. Counts as part of another question.
+// Returns true if the point is inside the solid, and not on its surface. The work is counted as part of the question
+// that calls this function.
 bool is_inside(const Vec3& point, const PosedBody& body, QueryMemory& memory);
 
 // Returns the hit at the line's beginning.

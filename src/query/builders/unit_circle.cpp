@@ -25,7 +25,7 @@ std::int64_t series(std::int64_t y, int f) noexcept {
 std::array<std::int64_t, 2> on_circle(std::uint32_t k, std::uint32_t n) noexcept {
     const std::uint64_t eighths = 8 * std::uint64_t{k};
     const std::uint64_t octant = eighths / n, rest = eighths % n;
-    // The angle from the nearest axis, which is at most pi / 4.
+    // from_axis is the angle from the nearest axis, in units of 2 pi / (8 n); it is at most pi / 4.
     const std::uint64_t from_axis = octant % 2 == 0 ? rest : n - rest;
     const auto x = static_cast<std::int64_t>(exact::Int128{quarter_pi} * from_axis / n);
     const std::int64_t y = times(x, x), c = series(y, 1), s = times(x, series(y, 2));

@@ -47,7 +47,7 @@ PairAxis pair_axis(const BodyFrame& a, const BodyFrame& b, const Vec3& n, double
 // rest . y.
 struct SlabEnds {
     std::array<float, 3> rest{};
-    // The interval of slope (normal . y) in the slab.
+    // [low, high] is the interval of slope (normal . y) in the slab.
     float low = -std::numeric_limits<float>::infinity();
     float high = std::numeric_limits<float>::infinity();
 };

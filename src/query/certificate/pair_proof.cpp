@@ -17,8 +17,8 @@ std::size_t part_count(const X& x, const Y&) {
     return is_leaf_beside_node<X, Y> ? 1 : x.count;
 }
 
-// Number of bits of the coordinates of a slab's normal; and the number of pairs that a slab must prove in a step to be
-// worth an axis line.
+// A slab's normal has coordinates of this many bits. To be worth an axis line, a slab must prove at least slab_min
+// pairs in a step.
 constexpr int slab_bits = 12;
 constexpr int slab_min = 2;
 // If at least this many pairs of triangles of two leaves are open, an axis is tried exactly.

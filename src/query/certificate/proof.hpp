@@ -28,8 +28,9 @@ struct Proof {
     static constexpr Word no_axis = 0xffff;
 
     std::vector<ProofAxis> axes;
-    // The steps, one after the other. An opening has these words: its kind, the number of axes, the axes, the number of
-    // pairs left open, the open pairs. A pair of triangles has these: the step's kind, the formula's kind, i and j.
+    // Holds the steps, one after the other. An opening has these words: its kind, the number of axes, the axes, the
+    // number of pairs left open, the open pairs. A pair of triangles has these: the step's kind, the formula's kind, i
+    // and j.
     std::vector<Word> words;
     std::size_t step_count = 0;
     std::size_t opening = 0;  // index of the last opening's first word

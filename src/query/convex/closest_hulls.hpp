@@ -70,8 +70,8 @@ struct HullFeatures {
 
 struct ClosestHulls {
     HullFeatures found;
-    // By side: the hull's feature that is extreme towards the other solid; it contains the closest points. If it is
-    // empty, this is the feature of `found`, whose index has not been looked up.
+    // Holds, by side, the hull's feature that is extreme towards the other solid; it contains the closest points. An
+    // empty entry stands for the feature of `found`, whose index has not been looked up.
     std::array<std::optional<HullFeature>, 2> parts;
     // True if the features of `found` are these `parts`, and contain the only two closest points, in their interiors.
     bool are_only = false;

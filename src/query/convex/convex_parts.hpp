@@ -22,7 +22,7 @@ struct ConvexSolidAccess {
     static const convex::SupportPoints& points(const ConvexSolid& solid) noexcept {
         return solid.convex_parts_->points;
     }
-    // Made on first use.
+    // Returns the triangles of the hull's faces, which are listed on first use.
     static const convex::FaceTriangles& face_triangles(const ConvexSolid& solid) {
         return solid.convex_parts_->face_triangles.get([&] { return convex::FaceTriangles(solid); });
     }

@@ -28,8 +28,8 @@ using exact::negated;
 using exact::Point;
 using exact::times;
 
-// Limit of the number of rounds. No pair needs so many if its search ends by itself; otherwise the guess does not get
-// better any more.
+// Limits the number of rounds. A search that ends by itself never needs so many rounds; the guess of any other search
+// does not improve any more.
 inline constexpr int rounds_max = 200;
 
 // Holds the simplex's point v that is nearest to the origin, its squared distance, and the vertices of which v is a

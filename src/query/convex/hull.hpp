@@ -39,11 +39,11 @@ struct Hull {
     std::vector<Edge> edges;
     std::vector<Face> faces;
 
-    // By face: its vertices counterclockwise, seen from outside. Each vertex is stored with the edge that leads to the
-    // next one.
+    // Lists, by face, its vertices counterclockwise, seen from outside. Each vertex is stored with the edge that leads
+    // to the next one.
     std::vector<Neighbor> face_cycles;
-    // By vertex v: the other ends of its edges, in no promised order, from neighbors_first[v] to neighbors_first[v +
-    // 1].
+    // Lists, for each vertex v, the other ends of its edges, in no promised order, from neighbors_first[v] to
+    // neighbors_first[v + 1].
     std::vector<Neighbor> neighbors;
     std::vector<std::uint32_t> neighbors_first;
 

@@ -18,7 +18,7 @@ namespace ecods::convex {
 struct Border {
     const ProperMesh* proper;
     const MeshEdges* edges;
-    // By triangle: true if its corners turn right, seen from outside. Empty if no triangle's corners do.
+    // Says, by triangle, if its corners turn right, seen from outside. It is empty if no triangle's corners do.
     std::span<const std::uint8_t> faces_in;
 
     // `named` is the mesh in which features are named. By triangle of `proper`, `origins` holds the triangle of `named`

@@ -67,7 +67,7 @@ class SmallHull {
     std::array<double, 3 * vertices_max> groups_;
 };
 
-// Features of two small hulls: their vertices, one for a vertex, two for an edge, three for a face.
+// Holds a feature of each of two small hulls by its vertices: one for a vertex, two for an edge, three for a face.
 struct SmallFeatures {
     std::array<std::array<std::uint32_t, 3>, 2> corners{};
     std::array<std::size_t, 2> count{};
@@ -82,16 +82,17 @@ class SmallHulls {
     const SmallHull& operator[](std::size_t side) const noexcept { return hulls_[side]; }
     exact::Point rounded(std::size_t side, std::uint32_t v) const noexcept { return hulls_[side].at(v); }
 
-    // Returns the sign of the sets' distance less `sum`, which may be off by 3 two_u of itself; nullopt if doubles do
-    // not decide. Never returns 0.
+    // Returns the sign of (distance of the sets) - `sum`, where `sum` may be off by 3 two_u of itself; nullopt if
+    // doubles do not decide. Never returns 0.
     std::optional<int> compare(double sum) noexcept;
 
-    // Returns the features that contain the closest points, as far as doubles know; nullopt if they know of no such
-    // features. Goes on where compare() ended.
+    // Returns the features that contain the closest points, as guessed in doubles; nullopt if there is no guess.
+    // Continues from the result of compare().
     std::optional<SmallFeatures> guess_closest() noexcept;
 
     // True if all vertices of a hull that are not in its feature are certainly behind it, along the direction n, or
-    // along -n for the second hull. n is off by at most `error` on each axis, and is across the feature.
+    // along -n for the second hull. n is off by at most `error` on each axis, and the true direction is perpendicular
+    // to the feature.
     bool are_others_behind(std::size_t side, const SmallFeatures& features, const exact::Point& n,
                            double error) const noexcept;
 

@@ -14,9 +14,9 @@ namespace ecods::convex {
 struct SupportPoints {
     static constexpr std::size_t lanes = 4;
 
-    // Coordinates of the mesh times 2^-exponent. The exponent is such that the largest magnitude is at least 1/2 and
-    // below 1. Coordinates below 2^-900 are replaced by zero. A group has four vertices: their x, then their y, then
-    // their z. The number of groups is even; copies of the last vertex fill them up.
+    // Holds the coordinates of the mesh times 2^-exponent. The exponent is such that the largest magnitude is at least
+    // 1/2 and below 1. Coordinates below 2^-900 are replaced by zero. A group has four vertices: their x, then their y,
+    // then their z. The number of groups is even; copies of the last vertex fill them up.
     std::vector<double> groups;
     std::uint32_t vertex_count = 0;
     int exponent = 0;
@@ -25,9 +25,10 @@ struct SupportPoints {
     exact::Point reach{};   // by axis: upper bound of the magnitudes of coordinates
     exact::Point extent{};  // by axis: upper bound of the differences of coordinates
     exact::Point center{};  // center of the vertices' box, rounded
-    // By axis: the vertices that are extreme against it and along it. A climb without a start begins at one of them.
+    // Lists, by axis, the vertices that are extreme against it and along it. A climb without a start begins at one of
+    // them.
     std::array<std::uint32_t, 6> extremes{};
-    // By vertex of the mesh: its index in the hull, or `none`.
+    // Holds, by vertex of the mesh, its index in the hull, or `none`.
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     std::vector<std::uint32_t> hull_index;
 

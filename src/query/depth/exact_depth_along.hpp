@@ -9,7 +9,7 @@
 namespace ecods::depths {
 
 struct ExactDepthAlong {
-    DifferenceFace face;  // the face through which the line from the origin leaves the difference, the first of ties
+    DifferenceFace face;  // the face through which the line from the origin leaves the difference, the first of several
     double parameter = 0, length = 0;
     Vec3 normal = Vec3::Zero();  // the face's outer unit normal
 };

@@ -81,7 +81,7 @@ class NearestPlanes {
     convex::PosedHulls* hulls_ = nullptr;
     bool is_exact_ = false;  // true if the fixed points of both solids are exact
     std::vector<Plane> planes_;
-    // The corners of faces of S that are too thin to have a normal in doubles.
+    // Lists the corners of faces of S that are too thin to have a normal in doubles.
     std::vector<std::array<DifferenceVertex, 3>> thin_;
     std::array<std::vector<std::uint32_t>, 2> marks_;  // by vertex
     std::uint32_t mark_ = 0;

@@ -14,8 +14,8 @@
 namespace ecods::depths {
 namespace {
 
-// These limit the number of directions that are tried (best ones first), and the number of contact normals that are
-// followed from each direction.
+// The next two constants limit the number of directions that are tried, best ones first, and the number of contact
+// normals that are followed from each direction.
 constexpr std::size_t direction_count_max = 6;
 constexpr int normal_count_max = 3;
 

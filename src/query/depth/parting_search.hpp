@@ -17,7 +17,7 @@ namespace ecods::depths {
 struct Parting {
     Vec3 parted = Vec3::Zero();
     double length = std::numeric_limits<double>::infinity();
-    // A point near the middle of the region that the solids share where they touch last, if it is known.
+    // Holds a point near the middle of the region that the solids share when they touch last, if it is known.
     std::optional<Vec3> middle = {};
 };
 

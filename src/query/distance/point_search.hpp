@@ -15,8 +15,8 @@ namespace ecods {
 // named by the least triangle among those found.
 struct OnlyFeature {
     Feature feature;
-    // For a face: the sign of n . (point - corner), where n is the normal (q - p) x (r - p) of its posed corners p, q,
-    // r.
+    // If the feature is a face, `side` is the sign of n . (point - corner), where n is the normal (q - p) x (r - p) of
+    // the posed corners p, q and r.
     int side = 0;
 };
 

@@ -111,12 +111,12 @@ class BodySearch {
     std::uint32_t waiting_ = none;
     std::uint32_t tried_ = none;
     std::uint32_t least_ = none;  // triangle of memory.own
-    // The feature through which the line enters the triangle of memory.own, as vertices of the mesh: one vertex, or the
-    // two of an edge; `none` if it is not known.
+    // Names the feature through which the line enters the triangle of memory.own, by vertices of the mesh: one vertex,
+    // or the two of an edge; `none` if it is not known.
     std::array<std::uint32_t, 2> shared_{none, none};
-    // The two vertices of an edge along which the line runs from the entry point on; `none` if no such edge is known.
-    // Some triangle of this edge shares nothing else with the line. If memory.own is a hit along an edge, it is that
-    // edge.
+    // Names the two vertices of an edge along which the line runs from the entry point on; `none` if no such edge is
+    // known. Some triangle of this edge shares nothing else with the line. If memory.own is a hit along an edge, it is
+    // that edge.
     std::array<std::uint32_t, 2> along_{none, none};
 };
 

@@ -35,7 +35,8 @@ struct HitMemory final : QueryMemoryPart {
     FaceSieve faces;
     StepRegion steps;  // region on the body to which the members are bound
     std::array<exact::LineHit, 3> hits;
-    // The least hit of all bodies, the least hit of the current body, and the hit of the current triangle.
+    // These point to the least hit of all bodies, the least hit of the current body, and the hit of the current
+    // triangle.
     exact::LineHit *best = &hits[0], *own = &hits[1], *other = &hits[2];
 
     static HitMemory& of(QueryMemory& memory) {

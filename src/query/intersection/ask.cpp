@@ -103,7 +103,8 @@ struct SpareMemories {
     ~SpareMemories();
 };
 
-// Is set when the thread's `spares` are destroyed: objects that are destroyed later may still ask questions.
+// are_spares_gone is set when the thread's `spares` are destroyed: objects that are destroyed later may still ask
+// questions.
 thread_local bool are_spares_gone = false;
 thread_local SpareMemories spares;
 

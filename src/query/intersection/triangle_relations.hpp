@@ -55,7 +55,7 @@ class TriangleRelations {
     void reset_counts() noexcept { counts_ = {}; }
 
   private:
-    // The corners of a triangle of the first body, then those of a triangle of the second.
+    // Corners are those of a triangle of the first body, then those of a triangle of the second.
     using Corners = std::array<exact::VertexRef, 6>;
 
     exact::Points<6> rounded(const Triangle& a, const Triangle& b);
@@ -74,7 +74,8 @@ class TriangleRelations {
     std::array<const Triangle*, 2> triangles_{};
     double static_bound_ = 0;         // error bound of every orient3d of points of both bodies
     bool doubles_are_exact_ = false;  // if true, decide_in_doubles() decides all pairs
-    // The axis on which all points of both bodies have the same coordinate; -1 if there is none or it is not known yet.
+    // flat_axis_ is the axis on which all points of both bodies have the same coordinate; -1 if there is none or it is
+    // not known yet.
     int flat_axis_ = -1;
     double flat_bound_ = 0;  // error bound of every orient2d along flat_axis_
     // Finds the groups of a shape. It is a pointer so that programs without shapes are not linked with trees.

@@ -20,8 +20,8 @@ namespace ecods {
 struct SearchGoal {
     double at_most = std::numeric_limits<double>::infinity();  // numbers above this need not be found
     double stop_at = -1;  // the search stops when some number is proven to be at most this
-    // Let m be the least upper bound found so far. Pairs with numbers above max(m - absolute, m / (1 + relative)) may
-    // be dropped; see Sieve::floor.
+    // These say how exact the result must be. Let m be the least upper bound found so far. Pairs with numbers above
+    // max(m - absolute, m / (1 + relative)) may be dropped; see Sieve::floor.
     double relative = 0;
     double absolute = 0;
 };

@@ -27,7 +27,7 @@ class OtherUnits {
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion = Vec3::Zero());
     OtherUnits(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b);
     OtherUnits(const Turning<MeshShape>& a, const Turning<MeshShape>& b);
-    // For two bodies and any number of vectors in the world.
+    // Chooses units for two bodies and any number of vectors in the world.
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, std::span<const Vec3> vectors);
 
     // Returns true if a query should use these units, each of which is 2^-e times a usual unit.

@@ -31,7 +31,8 @@ std::shared_ptr<const Mesh> mesh_of_flat(std::span<const Vec3> points, const Fla
 // A FlatMesh is a flat convex set that a mesh covers. Each feature of the set is named by triangles of the mesh.
 struct FlatMesh {
     FlatCycle cycle;  // in the order in which the corners of the polygon's least triangle of positive area turn
-    // By edge, from cycle[k] to the next vertex: the least side of a triangle that lies on it. A point has none.
+    // Lists, for each edge from cycle[k] to the next vertex, the least side of a triangle that lies on it. A point has
+    // no edge.
     std::vector<SideRef> sides;
     std::uint32_t face = 0;  // the least triangle of positive area of a polygon
 

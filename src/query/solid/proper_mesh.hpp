@@ -11,9 +11,9 @@
 namespace ecods {
 
 struct ProperMesh {
-    // The given mesh, or a copy in which each corner is replaced by the least vertex with the same coordinates.
+    // Is the given mesh, or a copy in which each corner is replaced by the least vertex with the same coordinates.
     std::shared_ptr<const Mesh> mesh;
-    // By triangle: true if its area is positive. Empty if all areas are positive.
+    // Says, by triangle, if its area is positive. It is empty if all areas are positive.
     std::vector<std::uint8_t> has_area;
 
     bool is_proper(std::size_t triangle) const noexcept { return has_area.empty() || has_area[triangle] != 0; }

@@ -23,22 +23,22 @@ struct SolidBoundary {
 };
 
 struct Solid::Parts {
-    // The triangles that bound the solid. They have the indices of the solid's mesh unless edges were split.
+    // Has the triangles that bound the solid. They have the indices of the solid's mesh unless edges were split.
     ProperMesh proper;
     MeshEdges edges;
-    // By triangle of proper.mesh: the triangle of the solid's mesh that contains it as a piece. Empty if no edges were
-    // split.
+    // Names, by triangle of proper.mesh, the triangle of the solid's mesh that contains it as a piece. It is empty if
+    // no edges were split.
     std::vector<TriangleOrigin> origins;
-    // The shape of proper.mesh if edges were split; otherwise null, because the solid's own tree is the tree of
+    // Is the shape of proper.mesh if edges were split; otherwise null, because the solid's own tree is the tree of
     // proper.mesh.
     std::unique_ptr<const MeshShape> split_shape;
-    // The result of prove_star(), from which the shells are made; empty if prove_star() proved nothing.
+    // Is the result of prove_star(), from which the shells are made; empty if prove_star() proved nothing.
     std::vector<std::uint8_t> star_faces_in;
     Lazy<Shells> shells;
-    // By triangle of the solid's mesh: true if the triangle is a part of the boundary, because its area is positive.
-    // Empty if all triangles are.
+    // Says, by triangle of the solid's mesh, if the triangle is a part of the boundary, because its area is positive.
+    // It is empty if all triangles are.
     std::vector<std::uint8_t> has_area;
-    // The set if the solid is a flat one, which has no interior; otherwise null. If it is set, only `proper` and
+    // Is the flat set if the solid is flat, so that it has no interior; otherwise null. If it is set, only `proper` and
     // `has_area` of the members above are set. All triangles of a segment or a point are parts of its boundary.
     std::unique_ptr<const FlatMesh> flat;
     Lazy<std::shared_ptr<const MeshShape>> surface;

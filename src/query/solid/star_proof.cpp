@@ -12,7 +12,7 @@
 #include "exact/sign/filter_bound.hpp"
 #include "exact/sign/plain_signs.hpp"
 
-// Theorem. Let o be a point on the plane of no triangle, such that
+// Theorem. Let o be a point that is on the plane of no triangle, such that
 //   (1) every edge is a side of exactly two triangles, and their third corners are strictly on different sides of the
 //       plane through o and the edge; and
 //   (2) some half-line from o meets no edge, and exactly one triangle.

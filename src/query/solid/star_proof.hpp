@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// Tries to prove that every half-line from a point in the middle of the triangles' corners meets the surface once. If
+// Tries to prove that every half-line from a point near the middle of the triangles' corners meets the surface once. If
 // this is proven, the surface is one shell with the point inside; no two triangles share a segment or more which is not
 // a side of both; and no two different edges share a segment, so self_contacts.hpp would find nothing. The source file
 // has the proof. The result then says, by triangle, whether its corners turn right seen from outside, like
