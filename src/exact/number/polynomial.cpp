@@ -151,7 +151,8 @@ PolynomialOf<degree_max> quotient(PolynomialOf<degree_max> p, const PolynomialOf
     ECODS_ASSERT(d >= 0);
     typename PolynomialOf<degree_max>::Coefficients result, rest;
     for (int e = p.degree(); e >= d; --e) {
-        // Multiplies everything by the divisor's leading coefficient, so that the quotient's next one is an integer.
+        // Multiplies all numbers by the divisor's leading coefficient, so that the quotient's next coefficient is an
+        // integer.
         for (Integer& c : result) c = c * divisor[d];
         result[static_cast<std::size_t>(e - d)] = p[e];
         for (int i = 0; i < e; ++i) {
@@ -170,7 +171,7 @@ PolynomialOf<degree_max> quotient(PolynomialOf<degree_max> p, const PolynomialOf
 
 namespace {
 
-// Numbers modulo the prime 2^61 - 1.
+// These are for arithmetic modulo the prime 2^61 - 1.
 constexpr int prime_bits = 61;
 constexpr std::uint64_t prime = (std::uint64_t{1} << prime_bits) - 1;
 
@@ -193,9 +194,10 @@ std::uint64_t reduced(const Integer& x) noexcept {
 
 }  // namespace
 
-// Let h have integer coefficients without a common divisor, and divide both polynomials. If the prime divides the
-// leading coefficient of only one of them, or of none, it does not divide that of h, so modulo the prime h has its
-// degree, and divides both. So if the greatest common divisor modulo the prime is a constant, h is one.
+// Computes the greatest common divisor modulo the prime; if that is a constant, the polynomials have no common root.
+// Proof: let h divide both polynomials, with integer coefficients that have no common divisor. Unless the prime divides
+// the leading coefficients of both polynomials, it does not divide the leading coefficient of h. Then h has the same
+// degree modulo the prime, and divides both polynomials there; so h is a constant, too.
 template <int degree_max>
 bool are_coprime(const PolynomialOf<degree_max>& p, const PolynomialOf<degree_max>& q) noexcept {
     using Residues = std::array<std::uint64_t, degree_max + 1>;

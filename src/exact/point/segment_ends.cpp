@@ -109,7 +109,7 @@ void add_translation(const std::array<Dyadic, 3>& t, int unit, Point& to, bool& 
     }
 }
 
-// Points of two bodies, each in world coordinates.
+// TwoBodies computes points of two bodies in world coordinates.
 class TwoBodies {
   public:
     // Chooses the unit: a product and a translation are below 2^high, and their sum below 2^(high + 1), which is

@@ -34,7 +34,7 @@ struct SegmentEnds {
     // Makes the segment from corner p of the triangle to corner q, on side `of_triangle`, and on the other side the one
     // from the point x to x - (r - p). The difference of two points of these segments, at S and T, is then that of x
     // and p + S (r - p) + T (q - p), or of these with the opposite sign. So the segments are closest where x is closest
-    // to the triangle's plane. Ends that are not exact are off as those of other segments are.
+    // to the triangle's plane. Ends that are not exact have the error bound of other ends.
     SegmentEnds(const PointAndTriangle& refs, std::size_t of_triangle, int high) noexcept;
 
     // A coordinate is the sum of three products and a translation, each rounded down: it is less than 4 units too low,

@@ -18,7 +18,8 @@ struct ClosestOnSegments {
     std::array<IntegerVector, 2> point;
     std::array<ErrorBounds, 2> errors;
     bool is_only = true;  // false if other points may be as close: always, if the segments are parallel
-    // Upper bounds of the points' parameters, 0 at the first end of a segment and 1 at the second, off by some two_u.
+    // Holds upper bounds of the points' parameters, 0 at the first end of a segment and 1 at the second, off by some
+    // two_u.
     std::array<double, 2> parameter_max{};
 
     FixedNumber number(std::size_t side, std::size_t k) const noexcept { return {point[side][k], errors[side][k]}; }
