@@ -120,9 +120,9 @@ class ECODS_API BroadPhase {
     // the list up to date: one pass over the list if pairs came or went since the last call, otherwise nothing.
     virtual const std::vector<ProxyPair>& pairs() = 0;
 
-    // Return the pairs that began to overlap, and that ended, at the last update, ascending. The pairs of a removed
-    // proxy count as ended. If the proxy's number was used again before the update, and the new box makes the same
-    // pair, the pair is in both lists.
+    // Return the pairs that began to overlap, and the pairs that ceased to, at the last update, ascending. The pairs of
+    // a removed proxy count as ended. If the proxy's number was used again before the update, and the new box makes the
+    // same pair, the pair is in both lists.
     virtual const std::vector<ProxyPair>& began() const noexcept = 0;
     virtual const std::vector<ProxyPair>& ended() const noexcept = 0;
 

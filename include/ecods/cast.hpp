@@ -92,11 +92,11 @@ struct BodyEntry {
                                                            const Posed<MeshShape>& b, double max_time = 1,
                                                            const Ask& ask = {});
 
-// Returns a pose of doubles on the way of a, up to the time, at which it is proven that a is not in b: relation() says
-// that the bodies are apart or touch. The pose has the rotation of a; its translation is that of a point of the way,
-// rounded. Returns nullopt if the bodies share inner points at the start already. Usually the time of the pose is a few
-// ulps less than `time`; this is not promised, nor is anything about the way between. Throws InvalidArgument if the
-// motion is not finite, or the time not from 0 to 1. Cost: some calls of relation(), at most 54.
+// Returns a pose near the way of a, at `time` or before, at which a is proven not to be in b: relation() is apart or
+// touching there. The pose has the rotation of a, and the translation of a at some time, rounded. Returns nullopt if
+// the bodies share inner points even at the start. Usually that time is a few ulps less than `time`; this is not
+// promised, and nothing is promised about poses between the start and the result. Throws InvalidArgument if the motion
+// is not finite, or the time not from 0 to 1. Cost: some calls of relation(), at most 54.
 [[nodiscard]] ECODS_API std::optional<Pose> pose_before(const Posed<MeshShape>& a, const Vec3& motion,
                                                         const Posed<MeshShape>& b, double time, const Ask& ask = {});
 

@@ -162,13 +162,14 @@ class ECODS_API Rounded final : public Shape {
 [[nodiscard]] ECODS_API DistanceBounds distance_bounds(const Posed<MeshShape>& a, const Posed<Rounded>& b,
                                                        const DistanceTolerance& tolerance, const Ask& ask = {});
 
-// Return the signed distance with points and direction, as that of two convex solids (SignedDistance): the distance of
-// the cores less both radii; if the cores share a point, minus the sum of their depth and both radii.
+// Return the signed distance with points and direction, as for two convex solids (SignedDistance). It is (distance of
+// the cores) - (sum of the radii); if the cores share a point, it is minus the sum of their depth and both radii.
 //
-// Let n be the direction. Features, kind and n are those of the cores. Each point is the core's point, moved by its
-// radius along n towards the other body if the cores are apart, and so if they share a point, too: point_b - point_a is
-// the signed distance times n, as real numbers. A core without an inside (a point, a segment, a triangle) has the depth
-// after which some plane parts the cores. Ties of directions are broken as Depth says, also of flat solids.
+// Let n be the direction. Features, kind and n are those of the cores. The point of a is its core's point plus radius
+// times n, and the point of b is its core's point minus radius times n, whether or not the cores share a point. So
+// point_b - point_a is the signed distance times n, as real numbers. A core without an inside (a point, a segment, a
+// triangle) has the depth after which some plane parts the cores. Ties of directions are broken as Depth says, also of
+// flat solids.
 //
 // Bodies may have cores that are not convex, as long as these share no point. If the number is then negative, its
 // magnitude is a lower bound of the length of the shortest translation that parts the interiors: after a shorter one,
@@ -221,9 +222,9 @@ class ECODS_API Rounded final : public Shape {
 [[nodiscard]] ECODS_API ClosestPoint closest(const Eigen::Ref<const Vec3>& point, const Posed<Rounded>& body,
                                              const Ask& ask = {});
 
-// Returns the distance of the point from the core less the radius; inside a solid core, minus the sum of the distance
-// from the core's surface and the radius. It is negative exactly inside the body; then its magnitude is the distance
-// from the body's surface if the core is convex, and otherwise a lower bound of it.
+// Returns (distance of the point from the core) - (radius); inside a solid core, minus the sum of the distance from the
+// core's surface and the radius. It is negative exactly inside the body; then its magnitude is the distance from the
+// body's surface if the core is convex, and otherwise a lower bound of it.
 [[nodiscard]] ECODS_API double signed_distance(const Eigen::Ref<const Vec3>& point, const Posed<Rounded>& body,
                                                const Ask& ask = {});
 

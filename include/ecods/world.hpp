@@ -152,7 +152,7 @@ class ECODS_API World {
     // Returns the pairs that share a point. Exact.
     std::span<const BodyPair> colliding_pairs() const;
 
-    // Return the pairs that began, and that ended, to collide at the last update (Box3D: begin and end events). If a
+    // Return the pairs that began to collide, and that ceased, at the last update (Box3D: begin and end events). If a
     // body is destroyed, its collisions end.
     std::span<const BodyPair> began() const;
     std::span<const BodyPair> ended() const;

@@ -24,11 +24,11 @@ class LookUps {
     };
     // Says which of the found partners are known to be candidates with the query already.
     struct Known {
-        // `looked_up` is the flag of all slots that are looked up. If two of these find each other, only the lower slot
-        // reports the pair.
+        // `looked_up` is the flag of all slots that are looked up together. If two of these slots find each other, only
+        // the lower slot reports the pair.
         unsigned looked_up;
-        // `has` are flags of other partners that may be known. A partner with all of these flags was a candidate with
-        // the query exactly if its fat box overlaps the old fat box of the query.
+        // `has` is a set of flags. A found partner that has all of them is known, as a candidate with the query, if its
+        // fat box overlaps the old fat box of the query; all other partners are new.
         unsigned has;
     };
 

@@ -14,11 +14,12 @@
 // poses at the start and at the end. Coordinates are relative to the first body's translation, which moves linearly,
 // too.
 //
-// A body may be near such a motion only. The distance in any direction is a margin in the world: on the axis n it is
-// |n| times as large, with |n| as computed, which is off by 2.5 u' of itself. That across a unit vector e is |n x e|
-// times as large: a coordinate of the product is off by 2.1 u' |n|, and e by 5.01 u' of itself, so the length by less
-// than 13 u' |n|. That along a vector is |n.m|, which is off by 3.1 u' |n| |m|. 16 u' |n| and 8 u' |n| |m| are added.
-// 1 + 2^-22 covers the other roundings, and the last conversion to a float.
+// Margins. Bodies may be only near such motions: their distance from them is a margin in the world (MotionMargin). On
+// an axis n, a margin in any direction is |n| times as large; |n| as computed is off by 2.5 u' of itself. A margin
+// perpendicular to a unit vector e is |n x e| times as large: a coordinate of the product is off by 2.1 u' |n|, and e
+// by 5.01 u' of itself, so the length is off by less than 13 u' |n|. A margin along a vector m is |n.m| on the axis,
+// which is off by 3.1 u' |n| |m|. 16 u' |n| and 8 u' |n| |m| are added. 1 + 2^-22 covers the other roundings, and the
+// last conversion to a float.
 // Claim: verify/proofs/motion_chords.md
 // Claim: verify/proofs/turn_pieces.md
 #pragma once
@@ -51,8 +52,9 @@ struct MotionSet {
     AxisSet start, end;
 };
 
-// Bounds how far points of two bodies are from straight motions, in all: by at most `everywhere` in any direction, by
-// `most` across each of two unit vectors, and by a part of `along`, from -1 to 1.
+// Bounds how far points of two bodies are from straight motions. The distance is a sum of vectors: one of length at
+// most `everywhere`, one of length at most `most` perpendicular to each of two unit vectors, and `along` times a number
+// from -1 to 1.
 struct MotionMargin {
     struct Across {
         double most = 0;

@@ -1,5 +1,5 @@
-// The tree of a mesh at both ends of a motion. If the vertices move on straight lines, each to a place of its own, the
-// tree at the end has the structure of the tree at the start, and other boxes.
+// A TreeAtEnds is the tree of a mesh at both ends of a motion. If the vertices move on straight lines, each to a place
+// of its own, the tree at the end has the structure of the tree at the start, and other boxes.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// A node or leaf at both ends of a motion: the same triangles, in the same lanes.
+// A NodeAtEnds is a node or leaf at both ends of a motion. Both have the same triangles in the same lanes.
 template <class Node>
 struct NodeAtEnds {
     NodeAtEnds(const Node& at_start, const Node& at_end) noexcept : start(at_start), end(at_end), count(start.count) {}

@@ -75,9 +75,9 @@ ECODS_ALWAYS_INLINE double above(double sum) noexcept {
 }
 
 // Straight is a motion of corners, with all that the search needs. `At` holds the corners at one time, and the factors
-// of their error bound on each axis. A `Chord` is the straight motion between two times: widened(error) is the error
-// bound that its gaps need to be lower bounds of the true ones; earliest() and latest() return the part of the time at
-// which the part `way` of the chord is reached.
+// of their error bound on each axis. A `Chord` is the straight motion between two times. If the error bound
+// widened(error) is subtracted from a gap of the chord, the result is a lower bound of the true gap. earliest() and
+// latest() return the part of the time at which the part `way` of the chord is reached.
 class Straight {
   public:
     struct At {
