@@ -109,10 +109,11 @@ struct ReplayReport {
     std::optional<Difference> difference = {};
 };
 
-// Runs a trace until its end, or until the first difference. A difference is another id of a new body (only in a trace
-// that began with an empty world), another digest or number of colliding pairs after an update, events that are not the
-// difference of the lists before and after, another answer to a question (in the same traces only), or a broken
-// invariant. An update that has no result, or failed, is run but not compared.
+// Runs a trace until its end, or until the first difference. These are differences: a new body's id, or the answer to a
+// question, is not that of the trace (compared only if the trace began with an empty world); after an update, the
+// digest or the number of colliding pairs is not that of the trace; the events of an update are not the difference of
+// the lists before and after it; or an invariant is broken. An update that has no result, or failed, is run but not
+// compared.
 //
 // Throws InvalidTrace if the text is no trace, or if a call in it is refused; NotSupported for a caller's own shape
 // without a reader; ExecutorFailed as World::update does. Whatever the text is, memory and time are proportional to its

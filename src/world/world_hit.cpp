@@ -15,7 +15,7 @@ void require_hits(const Bodies& bodies) {
     if (const auto kind = bodies.kind_without_hits()) throw NotSupported(Question::hits, *kind, *kind);
 }
 
-// Targets are the bodies of a world, as targets of lines.
+// Targets are the bodies of a world that a line may hit.
 struct Targets {
     const Bodies& bodies;
     const OverlapTracker& boxes;

@@ -39,8 +39,9 @@ double lookup_factor(std::size_t boxes) noexcept {
 // them at first, and when boxes escape: each box that moves escapes once in a lifetime.
 double KeepingRule::kept_work(const Forecast& forecast, double lifetime) const noexcept {
     constexpr double updates_planned = 16;  // number of updates that share the cost of the first search
-    // Boxes grow along each axis by this share of the margin: a box grows by its margin ahead and by a part of the
-    // margin behind, both boxes of a pair grow, and few boxes move along an axis. The share was measured.
+    // For the estimate of candidates, each box is taken to grow along each axis by this share of the margin. The share
+    // was measured. A fat box reaches ahead by the margin and behind by a part of it, and few boxes move along an axis
+    // of the coordinates.
     constexpr double growth_by_margin = 0.5;
     const auto boxes = static_cast<double>(forecast.boxes);
     const double moved = static_cast<double>(forecast.moved);

@@ -56,7 +56,8 @@ class RoundedContact {
         ScaledLongVector u, v;
         bool is_triangle = false;
     };
-    // Holds the times at which s m enters and leaves a piece; nullopt if its foot is outside the piece's feature then.
+    // Holds the times at which the point s m enters and leaves a piece. A time is empty if the foot of s m is not in
+    // the piece's feature at that time.
     struct Times {
         std::optional<RootSum> enter, leave;
     };
