@@ -114,7 +114,7 @@ enum class Argument : std::uint8_t {
     size,            // of a builder: "radius", "height", "sizes(0)", "radii(2)", "spacing(1)", "base" is not allowed;
                      // of a contact patch: "min_cos_squared" is not
     count,    // of a builder: "sides", "subdivisions", "columns" or "rows" are too few or too many, or make no grid
-    polygon,  // of a builder: it is not convex at a point: index
+    polygon,  // of a builder: the polygon is not convex at point `index`
     turn,  // "q.w", "q.x", "pivot_from(0)", "pivot_to(2)", "axis(0)", "pivot(0)" or "angle" is NaN or infinite; "q" is
            // zero or a whole turn; "axis" is zero; "angle" is a whole turn or more, or negative where it must not be;
            // of a way the node is at `index`, whose "pivot(0)" or "q" may be bad, or "nodes" are too few

@@ -19,18 +19,22 @@ namespace ecods {
 //
 // For each side, the side of another box that faces it is its partner. In the direction out of the moving box, the side
 // is at p + s v at time s, and its partner at e. The two boxes share a point on that axis at the times at which e <= p
-// + s v holds for both pairs of sides. This holds from some time on if v > 0, up to some time if v < 0, and at all
-// times or at none if v = 0. The boxes meet at time s if it holds for all six pairs at s.
+// + s v holds for both pairs of sides. For one pair, the inequality holds from some time on if v > 0 (a coming side),
+// up to some time if v < 0 (a going side), and at all times or at none if v = 0. The boxes meet at time s if the
+// inequality holds for all six pairs at s.
 //
-// Bounds. `velocity` is an upper bound of the real velocity, so a coming side (v > 0) is never later than computed, and
-// a going side (v < 0) is never earlier. With u' = 2^-52, which bounds one operation in any rounding mode, a time is
-// off by u' for the difference, u' for `gap_min`, u' for the inverse, u' for its factor and u' for the product. The
-// factors 1 -+ 2^-48 subtract or add 16 u'. If subnormal numbers are flushed to zero, differences and coordinates are
-// off by 3 * 2^-1022. This is below 2^-60 of 2^-960, which is subtracted from the gap of a coming side, and added to
-// the gap of a going side. Speeds below 2^-1000 and above 2^1000 are replaced by these limits, or by infinity,
-// whichever proves less. So no inverse is subnormal. A product that is subnormal or flushed to zero is off by less than
-// 2^-1021; therefore a box is left out only if it comes later than it goes by more than 2^-1000. Gaps that overflow are
-// at least the largest double. NaN, from 0 times infinity, proves nothing.
+// Bounds. `velocity` is an upper bound of the real velocity. A greater velocity makes the time of a coming side
+// earlier, and that of a going side later: both errors are to the safe side. Let u' = 2^-52, which bounds the relative
+// error of one operation in any rounding mode. Five operations compute a time: the difference, the step by `gap_min`,
+// the inverse of the speed, its factor and the product. So a time is off by little more than 5 u', and the factors 1 -+
+// 2^-48 subtract or add 16 u'.
+//
+// If subnormal numbers are flushed to zero, differences and coordinates are off by at most 3 * 2^-1022. `gap_min`,
+// which is more than 2^60 times that, is subtracted from the gap of a coming side, and added to the gap of a going
+// side. Speeds below 2^-1000 and above 2^1000 are replaced by these limits, or by infinity, whichever proves less. So
+// no inverse is subnormal. A product that is subnormal or flushed to zero is off by less than 2^-1021; therefore a box
+// is left out only if it comes later than it goes by more than `time_min`. Gaps that overflow are at least the largest
+// double. NaN, from 0 times infinity, proves nothing.
 //
 // All steps are monotone: if box a contains box b, the time of a is at most the time of b.
 // Claim: verify/proofs/lines_and_times.py

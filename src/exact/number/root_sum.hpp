@@ -34,9 +34,10 @@ int compare_parts(const RootSum& sum);
 
 // Returns the sign of the sum, -1, 0 or 1.
 //
-// If the two parts have one sign, or one is zero, this is clear; otherwise the greater part decides. Parts are compared
-// by their squares, x^2 w 4^e and y z^2 4^f. So nothing is squared twice: if x has a bits, y b, z c and w d bits, the
-// longest number has max(2a + d, b + 2c) bits, and as many more as the parts' units lie apart.
+// If the two parts have one sign, or one part is zero, the sum has the sign of a part that is not zero; otherwise it
+// has the sign of the greater part. The parts are compared by their squares, x^2 w 4^e and y z^2 4^f. So no number is
+// squared twice: if x, y, z and w have a, b, c and d bits, the longest number has max(2a + d, b + 2c) bits, and as many
+// more as the exponents of the two squares differ.
 int sign(const RootSum& sum);
 
 // Returns factor * sum + more.

@@ -63,7 +63,7 @@ double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const
         const Vec3 gap = difference.R * v + difference.t;
         const Vec3 off = 8 * two_u * (size * v.cwiseAbs() + difference.t.cwiseAbs());
         const Vec3 above = gap.cwiseAbs() + off;
-        // Where squares may overflow, the sum of the coordinates is the upper bound.
+        // The sum of the coordinates is an upper bound, too, and is taken if squares may overflow.
         const double sum = above.sum(), length = sum < 0x1p500 ? std::sqrt(above.squaredNorm()) : sum;
         if (!(length <= most)) most = length;
     });

@@ -2,8 +2,9 @@
 //
 // Let x = p0 + S u and y = q0 + T v be points of the segments, S and T given numbers in [0, 1], and z = y - x. The
 // squared distance is a convex function of the parameters, whose derivatives by S and T are -2 z.u and 2 z.v. So x and
-// y are closest if and only if, for each parameter, its derivative is 0 if it is inside, at least 0 if it is 0, and at
-// most 0 if it is 1. (A point has no parameter.)
+// y are closest if and only if the following holds for both parameters: the derivative is 0 if the parameter is between
+// 0 and 1 ("inside"), at least 0 if the parameter is 0, and at most 0 if the parameter is 1. (A point has no
+// parameter.)
 //
 // Errors of the residuals. Ends are less than 4 units too low, in each coordinate, or exact. x is an average of two
 // ends, and cut once more: less than 5 units too low, and so is y; u and v are off by less than 4, and z by less
