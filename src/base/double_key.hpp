@@ -33,7 +33,8 @@ constexpr double positive_part(double x) noexcept {
     return key_of(x) > 0 ? x : 0;
 }
 
-// True if x >= 0; infinity and -0.0 included. False for NaN, whose key is beyond the keys of both infinities.
+// Returns true if x >= 0, also for infinity and -0.0. Returns false for NaN, whose key is beyond the keys of both
+// infinities.
 constexpr bool is_from_zero(double x) noexcept {
     return key_of(x) >= 0 && key_of(x) <= key_of(std::numeric_limits<double>::infinity());
 }

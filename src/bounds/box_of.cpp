@@ -30,9 +30,9 @@ class BoxBuilder {
     // Returns an upper bound of the error of each rounded coordinate.
     double delta() const { return exact::point_error_bound(pose_.R, v_max_, pose_.t); }
 
-    // True if the error bound `delta` is about 4.25 * 2^-52 times a sum of magnitudes that did not overflow. Compares
-    // with a limit, because a rounding mode that rounds down turns some infinities into large numbers; these exceed the
-    // limit, too.
+    // Returns true if the error bound `delta` is about 4.25 * 2^-52 times a sum of magnitudes that did not overflow.
+    // Compares with a limit, because a rounding mode that rounds down turns some infinities into large numbers; these
+    // exceed the limit, too.
     bool is_moderate(double delta) const {
         const double factor_max = std::max(pose_.R.cwiseAbs().maxCoeff(), v_max_.maxCoeff());
         return delta < 0x1p970 && delta > unscaled_min + unscaled_min * factor_max;

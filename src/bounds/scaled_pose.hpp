@@ -48,7 +48,7 @@ class ScaledPose {
         for (int i = 0; i < 3; ++i) pose_.t[i] = exact::times_power(pose.t[i], -exponent_);
     }
 
-    // True if every posed point is the origin.
+    // Returns true if every posed point is the origin.
     bool is_zero() const noexcept { return exponent_ < none / 2; }
 
     const Pose& pose() const noexcept { return pose_; }

@@ -41,8 +41,8 @@ bool OverlapTracker::has_trees() const noexcept {
            table_.size() > scanned_max;
 }
 
-// True if queries about near boxes use trees. More kinds use trees here than in has_trees(): without trees, a query for
-// near boxes costs more than find(), and a query for near pairs far more.
+// Returns true if queries about near boxes use trees. More kinds use trees here than in has_trees(): without trees, a
+// query for near boxes costs more than find(), and a query for near pairs far more.
 bool OverlapTracker::has_near_trees() const noexcept {
     return kind_ != BroadPhaseKind::brute_force && table_.size() > scanned_max;
 }

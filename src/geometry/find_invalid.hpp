@@ -17,8 +17,8 @@ constexpr bool is_finite(double x) noexcept {
     return (std::bit_cast<std::uint64_t>(x) & exponent_mask) != exponent_mask;
 }
 
-// True if all entries of [R t] are finite. Tests two entries at a time: an exponent is all ones if and only if adding
-// one to it carries into the sign bit.
+// Returns true if all entries of [R t] are finite. Tests two entries at a time: an exponent is all ones if and only if
+// adding one to it carries into the sign bit.
 inline bool is_finite(const Pose& pose) noexcept {
     using Two = Vec<std::uint64_t, 2>;
     constexpr std::uint64_t exponent_mask = std::uint64_t{0x7ff} << 52, exponent_one = std::uint64_t{1} << 52;
@@ -52,8 +52,8 @@ inline std::optional<InvalidEntry> find_invalid(const Pose& pose) {
     return std::nullopt;
 }
 
-// True if v is zero. Looks at the bits, so a vector of subnormal numbers is not zero even if the processor takes them
-// for zero.
+// Returns true if v is zero. Looks at the bits, so a vector of subnormal numbers is not zero even if the processor
+// takes them for zero.
 inline bool is_zero(const Vec3& v) noexcept {
     const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
     return (bits(v[0]) | bits(v[1]) | bits(v[2])) << 1 == 0;

@@ -26,7 +26,7 @@ inline KeyBox key_box(const Aabb& box) noexcept {
     return keys;
 }
 
-// True if the closed boxes share a point.
+// Returns true if the closed boxes share a point.
 inline bool overlap(const KeyBox& a, const KeyBox& b) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
         if (a.min[axis] > b.max[axis] || b.min[axis] > a.max[axis]) return false;

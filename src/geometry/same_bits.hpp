@@ -10,13 +10,13 @@
 
 namespace ecods {
 
-// True if a and b are the same point; -0 and 0 are the same coordinate.
+// Returns true if a and b are the same point; -0 and 0 are the same coordinate.
 inline bool same_point(const Vec3& a, const Vec3& b) noexcept {
     return coordinate_bits(a[0]) == coordinate_bits(b[0]) && coordinate_bits(a[1]) == coordinate_bits(b[1]) &&
            coordinate_bits(a[2]) == coordinate_bits(b[2]);
 }
 
-// True if all entries of a and b have the same bits.
+// Returns true if all entries of a and b have the same bits.
 inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {
     using Two = Vec<std::uint64_t, 2>;
     const auto* const x = reinterpret_cast<const std::uint64_t*>(a.data());  // vectors may alias doubles
@@ -26,8 +26,8 @@ inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {
     return any_bits(low | high | differ(7)) == 0;
 }
 
-// True if all entries of a and b have the same bits. Compares translations first, because the translation of a moving
-// body usually changes.
+// Returns true if all entries of a and b have the same bits. Compares translations first, because the translation of a
+// moving body usually changes.
 inline bool same_bits(const Pose& a, const Pose& b) noexcept {
     using Two = Vec<std::uint64_t, 2>;
     const auto* const x = reinterpret_cast<const std::uint64_t*>(a.t.data());

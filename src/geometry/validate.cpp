@@ -16,8 +16,8 @@ namespace ecods {
 
 namespace {
 
-// True if min <= max and neither is NaN. Compares keys: comparisons of doubles may take subnormal numbers for zero. The
-// key of NaN is beyond the keys of the infinities.
+// Returns true if min <= max and neither is NaN. Compares keys: comparisons of doubles may take subnormal numbers for
+// zero. The key of NaN is beyond the keys of the infinities.
 bool is_interval(double min, double max) noexcept {
     constexpr std::int64_t most = key_of(std::numeric_limits<double>::infinity());
     return -most <= key_of(min) && key_of(min) <= key_of(max) && key_of(max) <= most;

@@ -37,7 +37,7 @@ using Vec = typename VecTypes<T, N>::Value;
 template <class V>
 using LaneType = std::remove_cvref_t<decltype(std::declval<V&>()[0])>;
 
-// True if V is a vector type: it can be subscripted and is neither a class nor a pointer nor an array.
+// The concept holds if V is a vector type: it can be subscripted and is neither a class nor a pointer nor an array.
 template <class V>
 concept IsVec = !std::is_class_v<V> && !std::is_pointer_v<V> && !std::is_array_v<V> && requires(V v) {
     v[0];

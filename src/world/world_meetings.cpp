@@ -83,7 +83,8 @@ void require_valid(const Motion& motion, BodyId body, std::size_t index) {
     }
 }
 
-// True if some body turns or is translated. Throws NotSupported if no cast takes the motions of some two bodies.
+// Returns true if some body turns or is translated. Throws NotSupported if no cast takes the motions of some two
+// bodies.
 bool are_any_motions(const Ways& ways, const Bodies& bodies) {
     MotionKinds kinds;
     bool are_any = false;

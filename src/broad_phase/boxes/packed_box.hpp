@@ -119,7 +119,7 @@ ECODS_ALWAYS_INLINE void make_reach(const PackedBox& line, BoxReach& reach) noex
     store(&reach.ends[4], lanes.second);
 }
 
-// True if the closed boxes share a point. An empty box overlaps none.
+// Returns true if the closed boxes share a point. An empty box overlaps none.
 ECODS_ALWAYS_INLINE bool overlaps(const PackedBox& line, const BoxLanes& reach) noexcept {
     BoxLanes ends;
     load_lanes(line, ends);
@@ -166,7 +166,7 @@ struct alignas(64) BoxBlock {
         for (std::size_t row = 0; row < 6; ++row) line.ends[row] = ends[row][index];
         return line;
     }
-    // True if get(index) == line; this is faster.
+    // Returns true if get(index) == line; this is faster.
     bool has(std::size_t index, const PackedBox& line) const noexcept {
         bool is_same = true;
         for (std::size_t row = 0; row < 6; ++row) is_same &= ends[row][index] == line.ends[row];

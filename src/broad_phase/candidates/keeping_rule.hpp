@@ -28,7 +28,7 @@ class KeepingRule {
         std::size_t candidates;  // number of candidates after a search for everything
     };
 
-    // True if the last decision was to keep nothing: then the next update searches for everything.
+    // Returns true if the last decision was to keep nothing: then the next update searches for everything.
     bool searches() const noexcept { return is_scratch_; }
 
     // Decides if boxes have margins from now on: if so, sets lifetime() and returns true. Call only in an update that

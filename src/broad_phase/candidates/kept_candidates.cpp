@@ -147,7 +147,7 @@ void KeptCandidates::adapt_margins(const ProxyTable& table) {
     margins_.learn_turns(slots_.awake_count());
 }
 
-// True if more than half of the slots move: then a pass over all boxes in the order of memory costs less.
+// Returns true if more than half of the slots move: then a pass over all boxes in the order of memory costs less.
 bool KeptCandidates::do_most_move(const ProxyChanges& changes) const noexcept {
     return 2 * changes.moved.size() > slots_.size();
 }

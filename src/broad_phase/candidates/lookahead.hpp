@@ -32,7 +32,7 @@ class Lookahead {
     void note_everything(std::uint64_t tests) noexcept { searched_ += static_cast<double>(tests); }
     void note_update() noexcept { ++updates_since_adapted_; }
 
-    // True if the noted work per box is enough to learn from.
+    // Returns true if the noted work per box is enough to learn from.
     bool is_due(std::size_t boxes) const noexcept { return wasted_ + searched_ > 512 * static_cast<double>(boxes); }
 
     void adapt() noexcept {

@@ -101,7 +101,7 @@ struct Margins::Axes {
         fat.high += margin > none ? min((1 - low) * margin, most) : none;
     }
 
-    // True if, on some axis, less than half of the margin is left ahead of the box.
+    // Returns true if, on some axis, less than half of the margin is left ahead of the box.
     ECODS_ALWAYS_INLINE static bool is_about_to_escape(const BoxEnds& box, const BoxEnds& fat,
                                                        const MotionHint& hint) noexcept {
         constexpr double left = 0.5;

@@ -13,17 +13,17 @@ namespace ecods {
 // while, slots are put in order.
 class RebuildRule {
   public:
-    // True if so many boxes escaped that searching for everything costs less than looking them up.
+    // Returns true if so many boxes escaped that searching for everything costs less than looking them up.
     static bool are_many(std::size_t escaped, std::size_t boxes) noexcept { return 8 * escaped > boxes; }
 
-    // True if look-ups of single boxes have cost half as much as a search for everything. Such a search avoids about as
-    // many later look-ups of awake boxes. If the last searches renewed few fat boxes, requires more look-ups before the
-    // next search.
+    // Returns true if look-ups of single boxes have cost half as much as a search for everything. Such a search avoids
+    // about as many later look-ups of awake boxes. If the last searches renewed few fat boxes, requires more look-ups
+    // before the next search.
     bool is_due(std::size_t awake, std::size_t boxes) const noexcept {
         return 2 * awake > boxes && 16 * looked_up_ > boxes << patience_;
     }
 
-    // True if so many slots are out of order that searching the trees has become slow.
+    // Returns true if so many slots are out of order that searching the trees has become slow.
     bool is_degraded(std::size_t unsorted, std::size_t slots, std::size_t boxes) const noexcept {
         return searched_ > 4 * boxes || 4 * unsorted > boxes + 64 || slots > 2 * boxes + 64;
     }

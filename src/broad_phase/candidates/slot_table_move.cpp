@@ -32,7 +32,7 @@ ECODS_ALWAYS_INLINE void prefetch_box_ahead(const SlotView& slots, const Aabb* b
     __builtin_prefetch(ahead + sizeof(Aabb) - 1);
 }
 
-// True if `box` is inside its fat box. `lanes` is `box`, packed; the fat box is in the frame.
+// Returns true if `box` is inside its fat box. `lanes` is `box`, packed; the fat box is in the frame.
 ECODS_ALWAYS_INLINE bool is_in_fat_box(const MovingFrame& frame, const PackedBox& fat_line, const Aabb& box,
                                        const BoxLanes& lanes) noexcept {
     if (frame.is_at_origin()) return contains(fat_line, lanes);

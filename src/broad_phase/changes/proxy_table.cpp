@@ -12,8 +12,8 @@
 namespace ecods {
 namespace {
 
-// True if both boxes have the same bits. Compares bits, not numbers, since a move from 0.0 to -0.0 changes the result
-// of box(), though it changes no pair.
+// Returns true if both boxes have the same bits. Compares bits, not numbers, since a move from 0.0 to -0.0 changes the
+// result of box(), though it changes no pair.
 ECODS_ALWAYS_INLINE bool is_same(const Aabb& a, const Aabb& b) {
     using Two = Vec<std::int64_t, 2>;
     static_assert(sizeof(Aabb) == 3 * sizeof(Two));

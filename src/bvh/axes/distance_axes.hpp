@@ -46,7 +46,7 @@ double distance_above(const DistanceSet& set, float square, double unit) noexcep
 // greater distances ranks (FarGap) leave fewer pairs than squared distances do. The value affects only the work, not
 // the results.
 inline constexpr double far_min = 0x1p9;
-// True unless the distance of the trees' origins on the set's axes is more than far_min.
+// Returns true unless the distance of the trees' origins on the set's axes is more than far_min.
 bool is_near(const DistanceSet& set) noexcept;
 
 class DistanceAxes {
@@ -77,8 +77,8 @@ class PointAxes {
     // Binds a posed tree; `d` is fl(t - point).
     void bind(const PosedTree& tree, const Vec3& d);
 
-    // True if squared distances distinguish nodes: the tree is bounded, and the point is not so far away that floats
-    // only order nodes by their positions along the gap (FarGap).
+    // Returns true if squared distances distinguish nodes: the tree is bounded, and the point is not so far away that
+    // floats only order nodes by their positions along the gap (FarGap).
     bool are_useful() const noexcept { return are_useful_; }
     const DistanceSet& set() const noexcept { return set_; }
 

@@ -36,8 +36,8 @@ class FarGap {
     // Binds two posed trees. `axes` must be bound to the same trees and `d`.
     void bind(const DistanceAxes& axes, const PosedTree& a, const PosedTree& b, const Vec3& d);
 
-    // True if the trees are so far apart that ranks prune better than squared distances do. If it is false, no other
-    // member may be used.
+    // Returns true if the trees are so far apart that ranks prune better than squared distances do. If it is false, no
+    // other member may be used.
     bool is_far() const noexcept { return is_far_; }
 
     // Returns an upper bound of the ranks of all pairs whose distance is at most `distance`, which may be infinity. The

@@ -76,8 +76,8 @@ struct LinePart {
     float slope_x, slope_y;
     float side;   // error bound of a coordinate in that plane
     float depth;  // error bound of r, along the axis z
-    // True if the slopes are the line's own. If coordinates of the direction were replaced, the slopes may be used only
-    // for bounds.
+    // `has_slopes` is true if the slopes are the line's own. If coordinates of the direction were replaced, the slopes
+    // may be used only for bounds.
     bool has_slopes;
     // is_unit is true if the map of the tree's coordinates to the axes is the identity. Otherwise p is that map, by
     // columns, and `size` is |p|.

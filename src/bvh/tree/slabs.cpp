@@ -107,8 +107,8 @@ Slab slab_of(std::span<const TreeLeaf> leaves, const Vec3& area) {
     return slab;
 }
 
-// True if the thickness of the node's slab is less than a quarter of the average extent, along the slab's normal, of
-// the children's boxes.
+// Returns true if the thickness of the node's slab is less than a quarter of the average extent, along the slab's
+// normal, of the children's boxes.
 bool is_thin(const BvhNode& node) {
     double thickness = 0;
     for (std::size_t lane = 0; lane < node.count; ++lane) {

@@ -36,7 +36,7 @@ class NearLeaves {
     void clear() noexcept { is_ready_ = false; }
     bool is_ready() const noexcept { return is_ready_; }
 
-    // True if leaves are collected, and the segment from a to b is within their box.
+    // Returns true if leaves are collected, and the segment from a to b is within their box.
     bool holds(const Vec3& a, const Vec3& b) const noexcept {
         if (!is_ready_) return false;
         for (int k = 0; k < 3; ++k) {

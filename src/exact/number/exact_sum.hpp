@@ -50,7 +50,7 @@ struct Limit {
     // Returns the greatest double within the limit, which must not be zero. So a number up to that double is within the
     // limit, and a number of at least the next double is not.
     double greatest() const noexcept { return is_strict && sum.is_double() ? next_down(sum.lower()) : sum.lower(); }
-    // True if a number is within the limit, given the sign of its difference from the sum.
+    // Returns true if a number is within the limit, given the sign of its difference from the sum.
     bool holds(int difference) const noexcept { return difference < (is_strict ? 0 : 1); }
 };
 

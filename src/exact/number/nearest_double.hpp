@@ -32,7 +32,8 @@ inline BinaryFraction middle_after(std::int64_t k) {
 template <class Compare>
 double nearest_double(double guess, Compare&& compare, double most = std::numeric_limits<double>::infinity()) {
     const std::int64_t last = key_of(most);
-    // True if the nearest double is after double number k. Of two doubles the one with an even key has an even digit.
+    // Returns true if the nearest double is after double number k. Of two doubles the one with an even key has an even
+    // digit.
     const auto is_after = [&](std::int64_t k) {
         const int side = compare(middle_after(k));
         return side > 0 || (side == 0 && k % 2 != 0);

@@ -79,8 +79,9 @@ PolynomialOf<degree_max> gcd(PolynomialOf<degree_max> p, PolynomialOf<degree_max
 template <int degree_max>
 PolynomialOf<degree_max> quotient(PolynomialOf<degree_max> p, const PolynomialOf<degree_max>& divisor);
 
-// True if the polynomials certainly have no common root, because they have none modulo a prime. Polynomials without a
-// common root are almost always recognized. Cost: below that of a product of two coefficients for each coefficient.
+// Returns true if the polynomials certainly have no common root, because they have none modulo a prime. Polynomials
+// without a common root are almost always recognized. Cost: below that of a product of two coefficients for each
+// coefficient.
 template <int degree_max>
 bool are_coprime(const PolynomialOf<degree_max>& p, const PolynomialOf<degree_max>& q) noexcept;
 

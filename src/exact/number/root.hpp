@@ -31,7 +31,7 @@ class RootOf {
 
     // Returns the nearest double, ties to even, but at least 2^-1074.
     double round();
-    // True if this number is greater than x, which must be a positive double.
+    // Returns true if this number is greater than x, which must be a positive double.
     bool is_above(double x);
 
   private:
@@ -48,8 +48,8 @@ class RootOf {
     // Returns the number (from 0) of the one of the interval's 2^bits equal parts in which the straight line between
     // the values at both ends is zero.
     std::int64_t guess(int bits) const;
-    // True if this number is a root of `divisor`. `divisor` must divide a polynomial that has this number as its only
-    // root in the interval.
+    // Returns true if this number is a root of `divisor`. `divisor` must divide a polynomial that has this number as
+    // its only root in the interval.
     bool is_root_of_divisor(const P& divisor) const;
 
     P p_;  // zero polynomial if is_fraction_

@@ -78,8 +78,9 @@ void Frame::measure_digits() noexcept {
     to_integers_ = std::ldexp(1.0, -integers_.unit());
 }
 
-// True if points whose terms have these digits are posed without rounding errors, far from underflow and overflow. This
-// is so because every partial sum of R v + d is a multiple of 2^low below 2^(high + 2), and therefore a double.
+// Returns true if points whose terms have these digits are posed without rounding errors, far from underflow and
+// overflow. This is so because every partial sum of R v + d is a multiple of 2^low below 2^(high + 2), and therefore a
+// double.
 bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
     if (digits.empty()) return true;
     if (digits.width() + 3 > mantissa_bits || digits.low < -300 || digits.high > 200) return false;
@@ -100,11 +101,11 @@ bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
     return true;
 }
 
-// True if determinants in doubles have no rounding errors. The points' coordinates must be doubles, and multiples of
-// `unit` on each axis. In these units, let differences on the three axes be integers of at most E0, E1 and E2, all at
-// least 1. Products of two differences are at most Ei Ej, minors 2 Ei Ej, the three terms of a determinant 2 E0 E1 E2,
-// and their sum 6 E0 E1 E2. If E0 E1 E2 <= 2^50, all are integers of at most 6 * 2^50 < 2^53, and therefore doubles.
-// The factor 8 / 6 between these two numbers covers the roundings in E.
+// Returns true if determinants in doubles have no rounding errors. The points' coordinates must be doubles, and
+// multiples of `unit` on each axis. In these units, let differences on the three axes be integers of at most E0, E1 and
+// E2, all at least 1. Products of two differences are at most Ei Ej, minors 2 Ei Ej, the three terms of a determinant 2
+// E0 E1 E2, and their sum 6 E0 E1 E2. If E0 E1 E2 <= 2^50, all are integers of at most 6 * 2^50 < 2^53, and therefore
+// doubles. The factor 8 / 6 between these two numbers covers the roundings in E.
 bool Frame::are_short(const Vec3& unit) const noexcept {
     return (extent_.array() / unit.array()).max(1.0).prod() <= 0x1p50;
 }

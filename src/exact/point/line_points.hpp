@@ -27,7 +27,7 @@ class LinePoints {
     // did.
     bool bind(const Line& line) noexcept;
 
-    // True if each coordinate fits into one limb: all are below 2^OneLimbKernel::coordinate_bits.
+    // Returns true if each coordinate fits into one limb: all are below 2^OneLimbKernel::coordinate_bits.
     bool is_one_limb() const noexcept { return is_one_limb_; }
 
     // direction() returns the line's direction, and at(v) the point of vertex v, both in units of 2^unit().

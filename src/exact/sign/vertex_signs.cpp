@@ -9,9 +9,9 @@
 namespace ecods::exact {
 namespace {
 
-// True if a simple reason shows that the four points are in one plane: they have one coordinate in common, or their
-// projections along some axis are at most two points. Faces of boxes and prisms are like this. Compares keys, so the
-// result does not depend on a mode that takes subnormal numbers for zero.
+// Returns true if a simple reason shows that the four points are in one plane: they have one coordinate in common, or
+// their projections along some axis are at most two points. Faces of boxes and prisms are like this. Compares keys, so
+// the result does not depend on a mode that takes subnormal numbers for zero.
 bool are_level(const std::array<const Vec3*, 4>& points) noexcept {
     std::array<std::array<std::int64_t, 4>, 3> keys;
     for (std::size_t axis = 0; axis < 3; ++axis) {

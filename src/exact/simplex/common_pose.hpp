@@ -10,12 +10,13 @@
 
 namespace ecods::exact {
 
-// True if the determinant of R is not zero. Exact: orient3d of the origin and the columns is the determinant's sign.
+// Returns true if the determinant of R is not zero. Exact: orient3d of the origin and the columns is the determinant's
+// sign.
 inline bool is_regular(const Mat3& R) noexcept {
     return orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) != Sign::zero;
 }
 
-// True if the determinant of R is negative: R maps a right-handed frame to a left-handed one. Exact.
+// Returns true if the determinant of R is negative: R maps a right-handed frame to a left-handed one. Exact.
 inline bool is_mirror(const Mat3& R) noexcept {
     return orient3d(Vec3::Zero(), R.col(0), R.col(1), R.col(2)) == Sign::negative;
 }

@@ -15,8 +15,9 @@
 
 namespace ecods::exact {
 
-// True if the cross product of an edge of each triangle certainly separates them. Points 0 to 2 are the corners of the
-// first triangle, 3 to 5 the corners of the second. `bound` must be an error bound of every orient3d of these points.
+// Returns true if the cross product of an edge of each triangle certainly separates them. Points 0 to 2 are the corners
+// of the first triangle, 3 to 5 the corners of the second. `bound` must be an error bound of every orient3d of these
+// points.
 //
 // Points are projected on n = u x e for an edge u of the first and e of the second triangle, relative to the beginning
 // p of u. Both ends of u are at 0, exactly, and both ends of e have the same projection, exactly. The projection of any

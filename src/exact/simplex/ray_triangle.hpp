@@ -54,8 +54,8 @@ PointFeature feature_at(Signs& signs) {
     return {Kind::face, 0};
 }
 
-// True if the ray from m crosses the triangle. in_shadow(a, b) returns the sign of orient2d(a, b, m) along the ray's
-// axis, and above() the sign of orient3d(0, 1, 2, m). Neither may be zero.
+// Returns true if the ray from m crosses the triangle. in_shadow(a, b) returns the sign of orient2d(a, b, m) along the
+// ray's axis, and above() the sign of orient3d(0, 1, 2, m). Neither may be zero.
 template <class Signs, class InShadow, class Above>
 bool crosses(Signs& signs, RayDirection ray, InShadow&& in_shadow, Above&& above) {
     const int turn = signs.orient2d(0, 1, 2, ray.axis);
@@ -66,10 +66,10 @@ bool crosses(Signs& signs, RayDirection ray, InShadow&& in_shadow, Above&& above
     return above() * turn * ray.sign < 0;
 }
 
-// True if the ray from p crosses the triangle. p is point 3, and must not be on the triangle. The ray begins at m = p +
-// d e_i + d^2 e_j for the other two axes i and j and an infinitesimal d > 0. orient2d(a, b, m) is (b_i - a_i)(m_j -
-// a_j) - (b_j - a_j)(m_i - a_i). If it is 0 for p, its change has the sign of a_j - b_j or, if that is zero, of b_i -
-// a_i.
+// Returns true if the ray from p crosses the triangle. p is point 3, and must not be on the triangle. The ray begins at
+// m = p + d e_i + d^2 e_j for the other two axes i and j and an infinitesimal d > 0. orient2d(a, b, m) is (b_i -
+// a_i)(m_j - a_j) - (b_j - a_j)(m_i - a_i). If it is 0 for p, its change has the sign of a_j - b_j or, if that is zero,
+// of b_i - a_i.
 template <class Signs>
 bool ray_crosses(Signs& signs, RayDirection ray) {
     const int i = (ray.axis + 1) % 3, j = (ray.axis + 2) % 3;
@@ -81,9 +81,9 @@ bool ray_crosses(Signs& signs, RayDirection ray) {
     return crosses(signs, ray, in_shadow, [&] { return signs.orient3d(0, 1, 2, 3); });
 }
 
-// True if a ray that begins inside a second triangle crosses the triangle. The second triangle has the corners p, q and
-// r, points 3, 4 and 5, and the ray begins at m = p + d (q - p) + d^2 (r - p) for an infinitesimal d > 0. A function
-// that is affine in m has the sign of the first of its values at p, q and r that is not zero.
+// Returns true if a ray that begins inside a second triangle crosses the triangle. The second triangle has the corners
+// p, q and r, points 3, 4 and 5, and the ray begins at m = p + d (q - p) + d^2 (r - p) for an infinitesimal d > 0. A
+// function that is affine in m has the sign of the first of its values at p, q and r that is not zero.
 template <class Signs>
 bool inner_ray_crosses(Signs& signs, RayDirection ray) {
     const auto in_shadow = [&](int a, int b) {

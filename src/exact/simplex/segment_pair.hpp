@@ -37,7 +37,7 @@ Segment find_segment(Signs& signs, int first) {
     return s;
 }
 
-// True if p is on the closed segment: on its line (in all three projections), and not beyond an end.
+// Returns true if p is on the closed segment: on its line (in all three projections), and not beyond an end.
 template <class Signs>
 bool is_on_segment(Signs& signs, int p, Segment s) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -62,8 +62,8 @@ bool segments_meet(Signs& signs, Segment s, Segment t) {
     return false;
 }
 
-// True if segment s meets the triangle from corner `first`. The segment must be in the triangle's plane, whose normal
-// must not be zero on `axis`: the two are projected along it.
+// Returns true if segment s meets the triangle from corner `first`. The segment must be in the triangle's plane, whose
+// normal must not be zero on `axis`: the two are projected along it.
 template <class Signs>
 bool meets_in_plane(Signs& signs, Segment s, int first, int axis) {
     const int turn = signs.orient2d(first, first + 1, first + 2, axis);

@@ -46,7 +46,7 @@ inline int side_in_plane(const Sides& s) noexcept {
     return TriangleContact::face;
 }
 
-// True if exactly one corner is in the plane, and the other two are strictly on the same side of it.
+// Returns true if exactly one corner is in the plane, and the other two are strictly on the same side of it.
 inline bool is_single_corner(const Sides& s) noexcept {
     return (s[0] == 0) + (s[1] == 0) + (s[2] == 0) == 1 && !strictly_on_both(s);
 }
@@ -70,8 +70,8 @@ TriangleContact triangle_contact(Signs& signs) {
     return {ContactKind::segment, side_in_plane(first), side_in_plane(second)};
 }
 
-// True if two triangles in one plane share an inner point: no side of either has the other triangle entirely beyond or
-// on its line. The plane's normal must not be zero on `axis`: the two are projected along it.
+// Returns true if two triangles in one plane share an inner point: no side of either has the other triangle entirely
+// beyond or on its line. The plane's normal must not be zero on `axis`: the two are projected along it.
 template <class Signs>
 bool coplanar_faces_overlap(Signs& signs, int axis) {
     for (const int own : {0, 3}) {
@@ -88,9 +88,9 @@ bool coplanar_faces_overlap(Signs& signs, int axis) {
     return true;
 }
 
-// True if the segments pq and rs are on one line and share more than one point. They must be in one plane, whose normal
-// is not zero on `normal_axis`. Points of the line are ordered by their coordinates on the first axis on which p and q
-// differ.
+// Returns true if the segments pq and rs are on one line and share more than one point. They must be in one plane,
+// whose normal is not zero on `normal_axis`. Points of the line are ordered by their coordinates on the first axis on
+// which p and q differ.
 template <class Signs>
 bool segments_lie_along(Signs& signs, int p, int q, int r, int s, int normal_axis) {
     if (signs.orient2d(p, q, r, normal_axis) != 0 || signs.orient2d(p, q, s, normal_axis) != 0) return false;

@@ -23,7 +23,7 @@ Feature face_of(std::uint32_t triangle) noexcept {
     return {Feature::Kind::face, triangle, 0};
 }
 
-// True for relations in which no inner points of solids, or of triangles, meet.
+// Returns true for relations in which no inner points of solids, or of triangles, meet.
 bool is_free(Relation relation) noexcept {
     return relation == Relation::apart || relation == Relation::touching;
 }

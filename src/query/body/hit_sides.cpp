@@ -34,7 +34,7 @@ struct Opposed {
         sign = along.sign();
         square = along * along;
     }
-    // True if n . d / |n| is less than that of the other normal.
+    // Returns true if n . d / |n| is less than that of the other normal.
     bool precedes(const Opposed& other) const {
         if (sign != other.sign) return sign < other.sign;
         return sign * compare(square * other.nn, other.square * nn) < 0;

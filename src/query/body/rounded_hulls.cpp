@@ -153,8 +153,8 @@ bool move_to_features(exact::ClosestOnSegments& at, const exact::SegmentEnds& en
     return true;
 }
 
-// True if all other vertices of both cores are certainly behind the features, along w. In doubles, a coordinate of w is
-// off by `errors`, and by one unit for the digits that are cut off.
+// Returns true if all other vertices of both cores are certainly behind the features, along w. In doubles, a coordinate
+// of w is off by `errors`, and by one unit for the digits that are cut off.
 bool are_closest(const SmallHulls& hulls, const SmallFeatures& features, const exact::IntegerVector& w,
                  const exact::ErrorBounds& errors) noexcept {
     const std::uint64_t most = std::max({errors[0], errors[1], errors[2]});

@@ -41,8 +41,8 @@ bool has_inside(const CoreAndRadius& body) {
     return is_positive(body.radius) || PosedBody(body.core).has_inside();
 }
 
-// True unless the body has a radius and a core that is not convex. Whether such a body contains another one is never
-// decided.
+// Returns true unless the body has a radius and a core that is not convex. Whether such a body contains another one is
+// never decided.
 bool may_contain(const CoreAndRadius& body) noexcept {
     return !is_positive(body.radius) || body.kind == ShapeKind::rounded_convex();
 }
@@ -54,7 +54,7 @@ Posed<MeshShape> point_of(const Posed<MeshShape>& core, std::uint32_t vertex) {
     return {std::move(point), core.pose};
 }
 
-// True if the inner body is a subset of the outer one, which has a convex core or no radius.
+// Returns true if the inner body is a subset of the outer one, which has a convex core or no radius.
 bool is_inside(const CoreAndRadius& inner, const CoreAndRadius& outer, const Ask& ask) {
     const exact::ExactSum rest = exact::ExactSum(outer.radius).minus(inner.radius);
     const PosedBody part(inner.core);

@@ -36,7 +36,7 @@ class RoundedSegments {
 
     // Returns the middle of the two closest points.
     std::optional<Vec3> middle() const noexcept;
-    // True if no other points of the cores are as close.
+    // Returns true if no other points of the cores are as close.
     bool is_only() const noexcept { return at_.is_only; }
 
     // Names the features that contain the closest points.

@@ -18,14 +18,14 @@ bool is_zero_vector(const exact::LongVector3& v) {
     return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }
 
-// True if the quaternions of both turns are equal at every time, up to a factor.
+// Returns true if the quaternions of both turns are equal at every time, up to a factor.
 bool have_same_rotation(const Quaternion& q, const Quaternion& r) {
     const Vec3 v = vector_of(q), w = vector_of(r);
     return same_point(v, w) && (is_zero(v) || same_point({q.w, 0, 0}, {r.w, 0, 0}));
 }
 
-// True if the bodies move as one rigid body: their rotations are equal, their pivots glide alike, and both pivots are
-// on one axis of rotation. The distance of any two points is then the same at all times.
+// Returns true if the bodies move as one rigid body: their rotations are equal, their pivots glide alike, and both
+// pivots are on one axis of rotation. The distance of any two points is then the same at all times.
 bool move_as_one(const Turn& a, const Turn& b) {
     if (!have_same_rotation(a.q, b.q)) return false;
     static const Pose world;

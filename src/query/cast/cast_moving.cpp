@@ -25,7 +25,7 @@ class StraightSearch {
         first_ = motion().first_of_boxes();
     }
 
-    // False if the boxes of the meshes never meet. Call run() only if true.
+    // Returns false if the boxes of the meshes never meet. Call run() only if this function returns true.
     bool may_meet() const noexcept { return first_.has_value(); }
 
     std::optional<FirstContact> run() {

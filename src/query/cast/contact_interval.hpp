@@ -16,8 +16,8 @@ struct ContactInterval {
     // upper bound of the time of first contact; infinity if a contact is not certain
     double upper = std::numeric_limits<double>::infinity();
 
-    // True if the triangles certainly first touch at a single point that is in the relative interiors of features a and
-    // b. All pairs of triangles with these two features then have the same first contact.
+    // `is_certain` is true if the triangles certainly first touch at a single point that is in the relative interiors
+    // of features a and b. All pairs of triangles with these two features then have the same first contact.
     bool is_certain = false;
     FirstContact contact;  // names features by these triangles; its time is not set
     FeatureKey a, b;

@@ -16,7 +16,7 @@ class SlidingEdges {
   public:
     virtual ~SlidingEdges() = default;
 
-    // True if the triangle of body `side` belongs to the boundary of that body.
+    // Returns true if the triangle of body `side` belongs to the boundary of that body.
     virtual bool counts(std::size_t side, std::uint32_t triangle) const = 0;
 
     // Call only if edge `corner` of a triangle of body `side` is in the plane of triangle `face` of the other body, and

@@ -46,8 +46,8 @@ class MeetingQuestion {
         at_most_ = at_most;
         is_by_then_ = false;
     }
-    // True if the search found a contact whose real time is at most `at_most`. (A rounded time may be at most `at_most`
-    // although the real time is later.)
+    // Returns true if the search found a contact whose real time is at most `at_most`. (A rounded time may be at most
+    // `at_most` although the real time is later.)
     bool is_by_then() const noexcept { return is_by_then_; }
 
     // The search calls the following functions.

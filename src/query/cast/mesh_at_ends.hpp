@@ -26,8 +26,8 @@ struct MeshAtEnds {
     MeshBody start;
     exact::BodyRef end;
     TreeAtEnds trees;
-    // True if the poses at both ends are equal; false for a mesh that deforms. The bits of the poses are compared,
-    // because a processor that flushes subnormal numbers compares two different ones as equal.
+    // `is_at_rest` is true if the poses at both ends are equal, and false for a mesh that deforms. The bits of the
+    // poses are compared, because a processor that flushes subnormal numbers compares two different ones as equal.
     bool is_at_rest = false;
 };
 

@@ -57,8 +57,8 @@ class PieceSearch {
     }
 
   private:
-    // True if the bodies share a point at time 0; then sets contact_. Only the first call tests; later ones return
-    // false.
+    // Returns true if the bodies share a point at time 0; then sets contact_. Only the first call tests; later ones
+    // return false.
     bool meet_at_start() {
         if (is_start_known_) return false;
         is_start_known_ = true;

@@ -54,7 +54,7 @@ std::array<LongVector3, 12> settling_corners(const exact::IntegerPoints<Kernel, 
     return corners;
 }
 
-// True if edge `edge` of triangle `side` crosses the interior of the other triangle at time 0.
+// Returns true if edge `edge` of triangle `side` crosses the interior of the other triangle at time 0.
 bool passes_through(exact::RelativePosition& triangles, std::size_t side, std::size_t edge) {
     const auto of_corner = [&](std::size_t corner) { return triangles.corner_volume(side, corner)[0].sign(); };
     if (of_corner(edge) * of_corner(exact::next_corner(edge)) >= 0) return false;
@@ -65,7 +65,7 @@ bool passes_through(exact::RelativePosition& triangles, std::size_t side, std::s
     return sides == 3 || sides == -3;
 }
 
-// True if the triangles share a point at time 0. If they do, the relative interiors of a pair of features in
+// Returns true if the triangles share a point at time 0. If they do, the relative interiors of a pair of features in
 // feature_pairs share a point, or an edge crosses a face.
 bool share_point_at_start(exact::RelativePosition& triangles) {
     exact::Root zero{exact::BinaryFraction{}};

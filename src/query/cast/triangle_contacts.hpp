@@ -27,7 +27,7 @@ class TriangleContacts {
     // touch first, the rule of FirstContact chooses. `known` must be the result of enclose(i, j).
     std::optional<FirstContact> contact(std::uint32_t i, std::uint32_t j, const ContactInterval& known);
 
-    // True if triangles i and j share a point at some time from 0 to `latest`.
+    // Returns true if triangles i and j share a point at some time from 0 to `latest`.
     bool meet_by(std::uint32_t i, std::uint32_t j, double latest);
 
     // Says how triangle i of the first mesh goes into triangle j of the second one, from time 0 to `end`.

@@ -36,7 +36,7 @@ Quaternion quotient(const ExactQuaternion& z1, const ExactQuaternion& z0) {
     return {rounded(z.w, norm), v[0], v[1], v[2]};
 }
 
-// True if the leg begins at the body's pose at the start.
+// Returns true if the leg begins at the body's pose at the start.
 bool begins_at_start(const TurnLeg& leg) {
     return leg.from == Quaternion() && leg.pivot == leg.pivot_from;
 }

@@ -24,8 +24,8 @@ class TurnPieces {
     // Returns a lower bound of the first meeting of the bodies' boxes in the piece, as time_of() takes it; nullopt if
     // they do not meet.
     std::optional<float> first_of_boxes();
-    // True if the piece should be divided before it is searched, because it is far from straight relative to the size
-    // of the bodies.
+    // Returns true if the piece should be divided before it is searched, because it is far from straight relative to
+    // the size of the bodies.
     bool is_wide() const noexcept { return middle_ && near_ > wide_; }
     // Returns the time at which to divide the piece; nullopt if it should not be divided.
     const std::optional<double>& middle() const noexcept { return middle_; }
@@ -39,7 +39,7 @@ class TurnPieces {
     // Counts a step of the search of this piece. Returns false after too many steps, so that the piece is divided; a
     // piece that should not be divided may take any number of steps.
     bool may_go_on() noexcept { return ++step_count_ <= step_max_; }
-    // True if the search of the piece was given up.
+    // Returns true if the search of the piece was given up.
     bool is_given_up() const noexcept { return step_count_ > step_max_; }
 
   protected:

@@ -52,7 +52,7 @@ struct TurningBody {
 
     // Returns the margin of points that leave their chords by `sagitta` times their distance from the axis.
     MotionMargin::Across across(double sagitta) const;
-    // True if the error bounds of places hold at all times at which the rotation is known.
+    // Returns true if the error bounds of places hold at all times at which the rotation is known.
     bool is_bounded() const noexcept { return angles->is_bounded() && size + arm + way_size < 0x1p1000; }
     // Returns the factor of 512 u' in the error bound of all places between two times.
     double rounding(const exact::HalfAngle& from, const exact::HalfAngle& to) const noexcept {

@@ -25,12 +25,12 @@ void require_finite(const WayNode& node, std::size_t index) {
     }
 }
 
-// True if q makes no rotation: w is positive, and x, y and z are zero.
+// Returns true if q makes no rotation: w is positive, and x, y and z are zero.
 bool is_at_start(const Quaternion& q) noexcept {
     return key_of(q.w) > 0 && is_zero(Vec3(q.x, q.y, q.z));
 }
 
-// True if z1 is a negative multiple of z0.
+// Returns true if z1 is a negative multiple of z0.
 bool is_opposite(const Quaternion& z1, const Quaternion& z0) {
     const ExactQuaternion between = times_conjugate(exact_quaternion(z1), exact_quaternion(z0));
     return between.w.sign() < 0 && exact::is_zero(between.v);

@@ -8,7 +8,8 @@
 namespace ecods {
 namespace {
 
-// True if x is a leaf and y a node. Then the leaf is not opened: it is tested as one box, with all its triangles.
+// `is_leaf_beside_node` is true if x is a leaf and y a node. Then the leaf is not opened: it is tested as one box, with
+// all its triangles.
 template <class X, class Y>
 inline constexpr bool is_leaf_beside_node = std::is_same_v<X, TreeLeaf>&& std::is_same_v<Y, BvhNode>;
 

@@ -73,7 +73,8 @@ struct ClosestHulls {
     // Holds, by side, the hull's feature that is extreme towards the other solid; it contains the closest points. An
     // empty entry stands for the feature of `found`, whose index has not been looked up.
     std::array<std::optional<HullFeature>, 2> parts;
-    // True if the features of `found` are these `parts`, and contain the only two closest points, in their interiors.
+    // `are_only` is true if the features of `found` are these `parts`, and contain the only two closest points, in
+    // their interiors.
     bool are_only = false;
 
     HullFeature part(const PosedHulls& hulls, std::size_t side) const noexcept;
@@ -117,7 +118,7 @@ struct LeastDifference {
     Vec3 normal;         // rounded unit vector: from the first solid to the second; for a depth, out of the first
     bool is_depth;       // true if the difference is against the normal, or zero
     bool is_zero;        // true if the depth is 0
-    // True if `parts` have only one of these pairs, in their interiors.
+    // `are_only` is true if `parts` have only one of these pairs, in their interiors.
     bool are_only = false;
 };
 LeastDifference least_of_closest(PosedHulls& hulls, const ClosestHulls& closest);

@@ -13,8 +13,8 @@ class FaceTriangles {
   public:
     explicit FaceTriangles(const ConvexSolid& solid);
 
-    // True if each vertex of the mesh is a vertex of the hull, and each triangle has an area. Then each edge of the
-    // hull is an edge of the mesh, and edges of the mesh inside a face join two vertices of the face.
+    // Returns true if each vertex of the mesh is a vertex of the hull, and each triangle has an area. Then each edge of
+    // the hull is an edge of the mesh, and edges of the mesh inside a face join two vertices of the face.
     bool is_plain() const noexcept { return !first_.empty(); }
     // Returns the triangles of a face, ascending. Call only if is_plain().
     std::span<const std::uint32_t> of(std::uint32_t face) const noexcept {

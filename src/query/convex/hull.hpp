@@ -47,7 +47,7 @@ struct Hull {
     std::vector<Neighbor> neighbors;
     std::vector<std::uint32_t> neighbors_first;
 
-    // True for a polygon, a segment and a point.
+    // Returns true for a polygon, a segment and a point.
     bool is_flat() const noexcept { return faces.size() <= 1; }
     std::size_t vertex_count() const noexcept { return mesh_vertices.size(); }
     std::span<const Neighbor> neighbors_of(std::uint32_t vertex) const noexcept {

@@ -77,7 +77,7 @@ class SmallHulls {
   public:
     SmallHulls(const Posed<MeshShape>& a, const Posed<MeshShape>& b) noexcept;
 
-    // False if a body is no small hull; then no other function may be called.
+    // Returns false if a body is no small hull; then no other function may be called.
     bool are_small() const noexcept { return are_small_; }
     const SmallHull& operator[](std::size_t side) const noexcept { return hulls_[side]; }
     exact::Point rounded(std::size_t side, std::uint32_t v) const noexcept { return hulls_[side].at(v); }
@@ -90,9 +90,9 @@ class SmallHulls {
     // Continues from the result of compare().
     std::optional<SmallFeatures> guess_closest() noexcept;
 
-    // True if all vertices of a hull that are not in its feature are certainly behind it, along the direction n, or
-    // along -n for the second hull. n is off by at most `error` on each axis, and the true direction is perpendicular
-    // to the feature.
+    // Returns true if all vertices of a hull that are not in its feature are certainly behind it, along the direction
+    // n, or along -n for the second hull. n is off by at most `error` on each axis, and the true direction is
+    // perpendicular to the feature.
     bool are_others_behind(std::size_t side, const SmallFeatures& features, const exact::Point& n,
                            double error) const noexcept;
 

@@ -26,9 +26,9 @@ struct DistanceInterval {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
 
-    // True if all signs that determine the closest features are certain. The distance is then exactly the distance of
-    // features a and b. These two features contain the only closest points of the two triangles, and no features of
-    // lower dimension contain them.
+    // `is_certain` is true if all signs that determine the closest features are certain. The distance is then exactly
+    // the distance of features a and b. These two features contain the only closest points of the two triangles, and no
+    // features of lower dimension contain them.
     bool is_certain = false;
     ClosestKind kind = ClosestKind::intersecting;
     FeatureKey a, b;

@@ -150,7 +150,7 @@ std::optional<Projection> project(const ScaledLongVector& m, std::span<const Sca
     return best;
 }
 
-// True if triangles without area are part of the body: it is a surface, a segment or a point.
+// Returns true if triangles without area are part of the body: it is a surface, a segment or a point.
 bool has_flat_triangles(const MeshShape& shape) {
     return shape.form() == MeshForm::surface ||
            (shape.form() == MeshForm::convex && static_cast<const ConvexSolid&>(shape).dimension() < 2);

@@ -16,7 +16,7 @@ struct ConvexBody {
     double radius = 0;
 };
 
-// True if contact_patch() takes the two shapes.
+// Returns true if contact_patch() takes the two shapes.
 bool have_patch(const Shape& a, const Shape& b) noexcept;
 
 }  // namespace ecods::patches

@@ -67,7 +67,7 @@ class HullsPatch {
         return {polygon_of({hulls_, 0}, parts[0], normal_, false), polygon_of({hulls_, 1}, parts[1], normal_, true)};
     }
 
-    // True if pair x comes before pair y in the order of ClosestPoints.
+    // Returns true if pair x comes before pair y in the order of ClosestPoints.
     bool is_before(const HullFeaturePair& x, const HullFeaturePair& y) const {
         const auto names = [&](const HullFeaturePair& pair) {
             const convex::HullFeatures found = features_of(hulls_, pair);

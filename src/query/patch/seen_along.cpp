@@ -109,7 +109,7 @@ HullFeature SeenAlong::on_edge(std::size_t of, const ScaledLongVector& c, bool& 
     return from == 0 ? polygons_[of].vertex(0) : to == 0 ? polygons_[of].vertex(1) : polygons_[of].feature;
 }
 
-// True if the edges cross: each has its ends strictly on both sides of the other one's line.
+// Returns true if the edges cross: each has its ends strictly on both sides of the other one's line.
 bool SeenAlong::do_cross(std::size_t i, std::size_t j) const noexcept {
     return sign(0, i, j) * sign(0, i, polygons_[1].next(j)) < 0 && sign(1, j, i) * sign(1, j, polygons_[0].next(i)) < 0;
 }

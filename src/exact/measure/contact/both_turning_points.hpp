@@ -35,7 +35,7 @@ class BothTurningCorners {
         is_bounded_ = start_.scale(a_, b_);
     }
 
-    // True if all numbers are small enough for the error bounds to hold.
+    // Returns true if all numbers are small enough for the error bounds to hold.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return is_bounded_; }
 
     // Holds the corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().

@@ -104,8 +104,9 @@ class ContactTimes {
         return is_by_one(times->first) ? std::optional(times->first) : std::nullopt;
     }
 
-    // True if, seen along m, the interiors of the triangles overlap: the line through the origin along m meets the
-    // relative interior of D, and no plane contains both. Then a triangle goes properly into or through the other one.
+    // Returns true if, seen along m, the interiors of the triangles overlap: the line through the origin along m meets
+    // the relative interior of D, and no plane contains both. Then a triangle goes properly into or through the other
+    // one.
     //
     // Seen along m, D is a convex polygon in the plane. The origin is inside unless all of D is on the outer side of
     // the line of one of D's sides. Each side of D is the difference of an edge of one triangle, say A, and the vertex
@@ -129,8 +130,8 @@ class ContactTimes {
         return true;
     }
 
-    // True if edge `edge` of triangle `side` is in the plane of the other triangle, and this plane is parallel to m.
-    // The other triangle must have an area.
+    // Returns true if edge `edge` of triangle `side` is in the plane of the other triangle, and this plane is parallel
+    // to m. The other triangle must have an area.
     bool slides_in_plane(std::size_t side, std::size_t edge) const noexcept {
         const LimbVector<2 * L> n = normal_of(1 - side);
         if (sign<3 * L>(dot<2 * L, L>(n, m_)) != 0) return false;
@@ -142,7 +143,7 @@ class ContactTimes {
         return is_in_plane(edge) && is_in_plane((edge + 1) % 3);
     }
 
-    // True if time <= 1. The time must be >= 0.
+    // Returns true if time <= 1. The time must be >= 0.
     static bool is_by_one(const Time& time) noexcept { return compare(time.size(), 1.0) <= 0; }
 
     // Returns the first pair of features, in the order of feature_pairs, whose relative interiors share a point at time

@@ -74,7 +74,7 @@ class MovingCorners {
         }
     }
 
-    // True if all numbers are small enough for the error bound to hold.
+    // Returns true if all numbers are small enough for the error bound to hold.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return is_bounded_; }
 
     ECODS_ALWAYS_INLINE Points<6> at(double s) const noexcept {

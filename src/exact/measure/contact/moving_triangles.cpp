@@ -58,7 +58,8 @@ int TrianglesAtRoot<P>::edge_volume(std::size_t edge_a, std::size_t edge_b) {
     return sign_of(volumes_[6 + 3 * edge_a + edge_b], [&] { return triangles_.edge_volume(edge_a, edge_b); });
 }
 
-// True if a corner is in an edge without its ends: on the edge's line and, on some axis, strictly between the ends.
+// Returns true if a corner is in an edge without its ends: on the edge's line and, on some axis, strictly between the
+// ends.
 template <class P>
 bool TrianglesAtRoot<P>::is_inside_edge(const CornerAndEdge& which) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -73,9 +74,9 @@ bool TrianglesAtRoot<P>::is_inside_edge(const CornerAndEdge& which) {
     return false;
 }
 
-// True if a corner is in a face without its edges: in the face's plane and, seen along some axis, strictly on the same
-// side of all three edges. The three turns add up to the face's normal, so if they have the same sign, the face has an
-// area when seen along that axis.
+// Returns true if a corner is in a face without its edges: in the face's plane and, seen along some axis, strictly on
+// the same side of all three edges. The three turns add up to the face's normal, so if they have the same sign, the
+// face has an area when seen along that axis.
 template <class P>
 bool TrianglesAtRoot<P>::is_inside_face(std::size_t side, std::size_t corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,9 +88,10 @@ bool TrianglesAtRoot<P>::is_inside_face(std::size_t side, std::size_t corner) {
     return false;
 }
 
-// True if two edges cross: they are in one plane and, seen along some axis, the ends of each edge are strictly on
-// different sides of the other. The two turns of an edge's ends differ by the cross product of both edges. So if they
-// have opposite signs, the edges are not parallel, and the projection along that axis is one to one on their plane.
+// Returns true if two edges cross: they are in one plane and, seen along some axis, the ends of each edge are strictly
+// on different sides of the other. The two turns of an edge's ends differ by the cross product of both edges. So if
+// they have opposite signs, the edges are not parallel, and the projection along that axis is one to one on their
+// plane.
 template <class P>
 bool TrianglesAtRoot<P>::edges_cross(std::size_t edge_a, std::size_t edge_b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

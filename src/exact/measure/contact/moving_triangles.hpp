@@ -53,8 +53,8 @@ class TrianglesAtRoot {
         volumes_.fill(unknown);
     }
 
-    // True if the two features share a point at this time. A feature is a corner, an edge without its ends or a face
-    // without its edges. Two edges share a point only if they cross and are not parallel.
+    // Returns true if the two features share a point at this time. A feature is a corner, an edge without its ends or a
+    // face without its edges. Two edges share a point only if they cross and are not parallel.
     bool share_point(const FeaturePair& features);
 
   private:

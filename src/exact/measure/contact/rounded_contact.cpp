@@ -63,7 +63,8 @@ std::optional<RoundedContact::Interval> RoundedContact::interval() const {
     return Interval{*std::move(first), *std::move(last)};
 }
 
-// True if an earlier pair of features has the same piece, because a corner equals an earlier corner of its triangle.
+// Returns true if an earlier pair of features has the same piece, because a corner equals an earlier corner of its
+// triangle.
 bool RoundedContact::is_repeated(const FeaturePair& f) const noexcept {
     return (f.has_vertex(0) && is_copy_[0][f.a]) || (f.has_vertex(1) && is_copy_[1][f.b]);
 }

@@ -116,7 +116,7 @@ struct Side {
         const Int128 all = (Int128{coarse} << (fine_digits - coarse_digits)) + fine;
         return (to_double(all) * 0x1p-105 + shift) * above;
     }
-    // True if the parameter is certainly inside the segment.
+    // Returns true if the parameter is certainly inside the segment.
     bool is_inside() const noexcept {
         constexpr int up = fine_digits - coarse_digits;
         const Int128 all = (Int128{coarse} << up) + fine, rest = (Int128{coarse_one} << up) - all;
@@ -210,7 +210,7 @@ class SegmentPair {
         }
     }
 
-    // True if z.u and z.v are exact.
+    // Returns true if z.u and z.v are exact.
     bool are_exact() const noexcept { return ends_.is_exact && a_.place != Place::inside && b_.place != Place::inside; }
 
     // Sets the bounds of the errors of residuals and parameters; false if little is known of a segment's direction.
@@ -278,8 +278,8 @@ class SegmentPair {
         const bool are_right = find_errors() && (a_.place == Place::inside ? a_ : b_).is_inside();
         return are_right ? result() : std::nullopt;
     }
-    // True if the foot of the vertex is inside the edge; then sets the edge's parameter to the foot. Points must be
-    // exact.
+    // Returns true if the foot of the vertex is inside the edge; then sets the edge's parameter to the foot. Points
+    // must be exact.
     static bool put_foot(Side& vertex, Place place, Side& edge) noexcept {
         vertex.place = place;
         vertex.set_point();

@@ -35,8 +35,8 @@ class ClosestSlab {
         for (auto& side : sides_) side.clear();
     }
 
-    // True if vertex `vertex` of body `body` is not inside the open slab, but on its own body's side of it. point_of()
-    // returns the vertex's point.
+    // Returns true if vertex `vertex` of body `body` is not inside the open slab, but on its own body's side of it.
+    // point_of() returns the vertex's point.
     template <class PointOf>
     bool is_outside(std::size_t body, std::uint32_t vertex, PointOf&& point_of) noexcept {
         return sides_[body].get(vertex, [&](bool& is_outside) {

@@ -12,8 +12,8 @@ namespace ecods::exact {
 struct Enclosure {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
-    // True if it is certain that the guessed features contain the only two closest points in their relative interiors;
-    // for a time of contact, the only point of the first contact.
+    // `is_certain` is true if the guessed features certainly contain the only two closest points in their relative
+    // interiors; for a time of contact, the only point of the first contact.
     bool is_certain = false;
 };
 

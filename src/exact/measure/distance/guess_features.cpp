@@ -78,9 +78,10 @@ class FeatureGuess {
         return third_a <= 0 && third_b >= 0;
     }
 
-    // True if the plane of the face of triangle `side` separates the triangles, and the other's corner nearest to the
-    // plane is over the face; sets best_ to this pair. If the nearest corner is not over the face, sets first_ to the
-    // edges to begin with: the face's edge beyond which the foot is, and the edge that begins at the nearest corner.
+    // Returns true if the plane of the face of triangle `side` separates the triangles, and the other's corner nearest
+    // to the plane is over the face; sets best_ to this pair. If the nearest corner is not over the face, sets first_
+    // to the edges to begin with: the face's edge beyond which the foot is, and the edge that begins at the nearest
+    // corner.
     ECODS_ALWAYS_INLINE bool try_face(Index side) noexcept {
         const Point *face = &x_[3 * side], *corners = &x_[3 * (1 - side)];
         const Point &e1 = edge_[side][0], e2 = minus(face[2], face[0]), n = cross(e1, e2);

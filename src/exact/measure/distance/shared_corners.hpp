@@ -72,7 +72,7 @@ class SharedCorners {
     std::vector<Corner> corners_;
 };
 
-// True if corner i of triangle `side` is in the other triangle.
+// Returns true if corner i of triangle `side` is in the other triangle.
 template <int L>
 bool SharedCorners<L>::is_in(std::size_t side, std::size_t i) const noexcept {
     const auto holds = [&](FeatureKind kind, std::size_t of_other) {
@@ -166,8 +166,8 @@ auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L
     return std::nullopt;  // an edge that goes through a face
 }
 
-// True if a corner is inside the other's face, and its own triangle has points strictly on both sides of the face. If
-// the triangles share only this corner, it is the middle one of a triangle without area.
+// Returns true if a corner is inside the other's face, and its own triangle has points strictly on both sides of the
+// face. If the triangles share only this corner, it is the middle one of a triangle without area.
 template <int L>
 bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
     const std::size_t side = f.vertex_side, corner = f.corner(side);
@@ -183,8 +183,8 @@ auto SharedCorners<L>::normal_along_segment() const -> std::optional<LimbVector<
     return normal_[is_in_edge_of_a ? 1 : 0];
 }
 
-// True if one edge of triangle `side` contains both corners in corners_. A corner num / den is on the line of an edge
-// from p if den p - num is parallel to the edge.
+// Returns true if one edge of triangle `side` contains both corners in corners_. A corner num / den is on the line of
+// an edge from p if den p - num is parallel to the edge.
 template <int L>
 bool SharedCorners<L>::is_in_edge(std::size_t side) const noexcept {
     const auto is_on_line = [&](const Corner& corner, std::size_t edge) {

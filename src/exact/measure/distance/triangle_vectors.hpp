@@ -118,9 +118,9 @@ struct TriangleVectors {
         return ((first + low) - high) - 4 * two_u * first;
     }
 
-    // True if it is certain that the corner at the end of other[side][k] is on its own triangle's side of the plane
-    // through p or q perpendicular to n. `bound` is an upper bound of the dot product's error. A point has no other
-    // corners.
+    // Returns true if it is certain that the corner at the end of other[side][k] is on its own triangle's side of the
+    // plane through p or q perpendicular to n. `bound` is an upper bound of the dot product's error. A point has no
+    // other corners.
     bool is_outward(const Point& n, std::size_t side, std::size_t k, double bound) const noexcept {
         if (side == 0 && is_point) return true;
         const double x = dot(n, other[side][k].x);

@@ -26,7 +26,7 @@ struct ExactPoint {
 Vec3 round_point(const PointRef& origin, const ExactPoint& point) noexcept;
 double round_coordinate(const PointRef& origin, int row, const ExactPoint& point) noexcept;  // one of its numbers
 
-// True if coordinate `axis` of two points in one unit is the same number.
+// Returns true if coordinate `axis` of two points in one unit is the same number.
 bool is_level(const ExactPoint& a, const ExactPoint& b, std::size_t axis);
 
 // Returns the middle of two points in one unit. Their denominators must be equal, or one of them 1: then the bound of

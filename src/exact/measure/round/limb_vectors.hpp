@@ -76,7 +76,7 @@ bool is_zero_vector(const LimbVector<L>& a) noexcept {
     return is_zero<L>(a[0].limbs) && is_zero<L>(a[1].limbs) && is_zero<L>(a[2].limbs);
 }
 
-// True if a and b are parallel, or at least one of them is zero.
+// Returns true if a and b are parallel, or at least one of them is zero.
 template <int L>
 bool is_parallel(const LimbVector<L>& a, const LimbVector<L>& b) noexcept {
     return is_zero_vector<2 * L>(cross<L>(a, b));
