@@ -54,8 +54,8 @@ namespace ecods {
 // slides and lifts without entering, and enters at 0 if it is pushed down.
 struct FirstEntry {
     double time = 0;  // rounded once, at least 2^-1074 unless it is 0
-    // These are the faces of two triangles that go into each other at this time: the least of all pairs whose time
-    // rounds to `time`. They are no_feature if inner points of two solids meet at the start.
+    // a and b are the faces of two triangles that go into each other at this time: the least of all pairs whose time
+    // rounds to `time`. Both are no_feature if inner points of two solids meet at the start.
     Feature a, b;
 
     friend bool operator==(const FirstEntry&, const FirstEntry&) = default;

@@ -69,8 +69,8 @@ struct PatchLimits {
 struct PatchCorner {
     Vec3 point_a = Vec3::Zero(), point_b = Vec3::Zero(), middle = Vec3::Zero();
     double gap = 0;
-    // These are the features of lowest dimension that contain the points, named as by closest() and signed_distance().
-    // A rounded body has those of its core; a half space has the face of triangle 0.
+    // a and b are the features of lowest dimension that contain the points, named as by closest() and
+    // signed_distance(). A rounded body has those of its core; a half space has the face of triangle 0.
     Feature a, b;
 
     friend bool operator==(const PatchCorner&, const PatchCorner&) = default;

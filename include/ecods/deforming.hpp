@@ -7,7 +7,7 @@
 //
 // At a time s from 0 to 1, each vertex is at the real point (1 - s) v0 + s v1, in the coordinates of the world, and
 // each triangle is the one that its vertices then span: so the mesh may stretch, fold, become flat or turn inside out.
-// It is a surface, also if its shape is a solid; a body that it is inside of, or that is inside of it, is met as
+// The mesh is a surface, also if its shape is a solid; a body that it is inside of, or that is inside of it, is met as
 // intersects() says of a surface. All else is as in cast.hpp: contact at time 0 and at the last time counts, and so
 // does grazing; the time is the least real time, rounded once; everything is defined for zero-area triangles and for
 // meshes that become flat; and equal input gives equal bits. A vertex alone is a triangle {i, i, i} and an edge alone a

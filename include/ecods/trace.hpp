@@ -100,7 +100,8 @@ struct ReplayReport {
         std::string what;
     };
 
-    // These count the calls that were run: those of the whole trace, or of the part up to the difference.
+    // The first three members count the calls that were run: those of the whole trace, or of the part up to the
+    // difference.
     std::size_t call_count = 0;
     std::size_t update_count = 0;
     std::size_t question_count = 0;

@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// These are the first lines of traces. In version 1, solids collided as their surfaces.
+// A trace begins with one of these lines. In version 1, solids collided as their surfaces.
 inline constexpr std::string_view trace_header = "ecods-trace 2", old_trace_header = "ecods-trace 1";
 
 // A TracedBody names a body as a trace does, by slot and generation in the world that wrote the trace. It is not an id

@@ -14,15 +14,19 @@
 // Bound, for numbers in a unit, a power of two, in which the largest entry of R map is about one (exact). In any
 // rounding mode one operation has an error of u' = 2^-52 (base/arithmetic.hpp). Boxes have |center| + half <= 1 +
 // 2^-21.
-//   Doubles. R map as computed is off by 3.01 u' M, M = |R| |map|; R center - (p - t), with p - t given with an error
-//   of u' |p - t| + origin_error, by 5.1 u' W + origin_error, W = |R| |center| + |p - t|. Edges as computed serve as
-//   exact vectors n, since any n is sound. A row's products and sums add 3.01 u' |n| (W + M): below 9 u' (|n| . W + sum
-//   (|n| M)) + origin_error sum |n|. 16 in place of 9 covers the evaluation of the bound. Floats, with v = 2^-23. g and
-//   shift are off by v each when they are converted, a product by v and three sums by v each: 5.1 v (|shift| + sum |g|)
-//   for shift + g . center, and as much for the reach. A triangle's corner is off by corner_error < 2.01 v of a unit.
-//   All errors together are below 16 v (|shift| + sum |g|). Underflow. Each operation on doubles loses 2^-1022 times a
-//   factor, which is checked to be below 2^500: a hundred operations lose less than 2^-400. Each operation on floats
-//   loses 2^-126. 2^-100 is added. If a check fails the margin is infinite, and no box is excluded.
+//
+// Doubles. Let M = |R| |map| and W = |R| |center| + |p - t|. R map as computed is off by 3.01 u' M. R center - (p - t)
+// is off by 5.1 u' W + origin_error, if p - t is given with an error of u' |p - t| + origin_error. Edges as computed
+// serve as exact vectors n, since any n is sound. Products and sums of a row add 3.01 u' |n| (W + M). All this is below
+// 9 u' (|n| . W + sum (|n| M)) + origin_error sum |n|; 16 in place of 9 covers the evaluation of the bound.
+//
+// Floats. Let v = 2^-23. g and shift are off by v each when they are converted, a product by v and three sums by v
+// each: 5.1 v (|shift| + sum |g|) for shift + g . center, and as much for |g| . half. A triangle's corner is off by
+// corner_error < 2.01 v of a unit. All errors together are below 16 v (|shift| + sum |g|).
+//
+// Underflow. Each operation on doubles loses 2^-1022 times a factor, which is checked to be below 2^500: a hundred
+// operations lose less than 2^-400. Each operation on floats loses 2^-126. 2^-100 is added. If a check fails, the
+// margin is infinite, and no box is excluded.
 // Claim: verify/proofs/posed_axes.py
 #pragma once
 

@@ -171,7 +171,7 @@ PolynomialOf<degree_max> quotient(PolynomialOf<degree_max> p, const PolynomialOf
 
 namespace {
 
-// These are for arithmetic modulo the prime 2^61 - 1.
+// Arithmetic modulo a prime uses the prime 2^61 - 1.
 constexpr int prime_bits = 61;
 constexpr std::uint64_t prime = (std::uint64_t{1} << prime_bits) - 1;
 

@@ -194,9 +194,9 @@ class LineAsked {
         return result;
     }
 
-    // Returns true if the part of the line between two intervals is inside the core. All of the part is further from
-    // the core's surface than the radius; so a point that is nearer than the radius to one of its points is on the same
-    // side.
+    // Returns true if the part of the line between two intervals is inside the core. All points of this part are
+    // further from the core's surface than the radius. So one of them decides, and even a rounded point decides if its
+    // error is less than the radius: there is no surface between the two.
     bool is_inside_between(const End& from, const End& to) {
         if (!core_.has_inside()) return false;
         if (core_.is_convex()) return true;

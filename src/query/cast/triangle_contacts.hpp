@@ -32,8 +32,8 @@ class TriangleContacts {
 
     // Says how triangle i of the first mesh goes into triangle j of the second one, from time 0 to `end`.
     struct Entry {
-        // This is the time at which the pair goes in properly (ContactTimes), rounded once; empty unless the real time
-        // is before `end`.
+        // `time` is the time at which the pair goes in properly (ContactTimes), rounded once; empty unless the real
+        // time is before `end`.
         std::optional<double> time;
         // Bit e is set if edge e of triangle i is in the plane of triangle j and slides along it; bit 3 + e is set if
         // edge e of triangle j is in the plane of triangle i and slides along it.

@@ -16,8 +16,8 @@ namespace ecods {
 struct Certificate::Content {
     Claim claim = Claim::disjoint;
     double value = 0;
-    // These are the closest features, for the claims distance and within; for triangles that meet, the two triangles as
-    // faces.
+    // a and b are the closest features, for the claims distance and within; for triangles that meet, the two triangles
+    // as faces.
     Feature a, b;
     bool names_triangles = false;  // true if a and b name triangles that meet
 

@@ -31,7 +31,7 @@ struct PairAxis {
     BodyAxis a, b;
     double margin = std::numeric_limits<double>::infinity();  // boxes are apart if their gap in doubles exceeds this
 
-    // These are for tests in floats. Their initial values prove nothing apart.
+    // The members down to `scale` are for tests in floats. Their initial values prove no pair apart.
     std::array<float, 3> p_a{}, p_b{};
     float below = -std::numeric_limits<float>::infinity();  // added to the lower ends of intervals of b
     float above = std::numeric_limits<float>::infinity();   // added to the upper ends of intervals of b

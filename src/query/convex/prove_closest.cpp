@@ -282,7 +282,7 @@ bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept {
         w[i] = {guess.points[i], size, 2 * hulls.delta() + two_u * size};
         if (!is_certain(w[i])) return false;
     }
-    // This is true if det(w_j, w_k, w_l) has the same sign for all four triples, in alternating orders.
+    // The origin is inside if det(w_j, w_k, w_l) has the same sign for all four triples, in alternating orders.
     const auto det = [&](std::size_t i, std::size_t j, std::size_t k) { return dot(cross(w[i], w[j]), w[k]); };
     const std::array<BoundedNumber, 4> dets{det(1, 2, 3), det(0, 3, 2), det(0, 1, 3), det(0, 2, 1)};
     bool are_positive = true, are_negative = true;

@@ -61,8 +61,8 @@ class StepRegion {
     }
 
   private:
-    // These were chosen by measuring a path over a torus, with segments from each point to the next: any steps_ahead
-    // from 16 to 32 is as good as 20.
+    // Both numbers were chosen by measuring a path over a torus, with segments from each point to the next: any
+    // steps_ahead from 16 to 32 is as good as 20.
     static constexpr double steps_ahead = 20, steps_aside = 2;
     static constexpr double moved_max = 3;  // in lengths of the segment; a greater move counts as a jump
     static constexpr std::uint32_t served_min = 4, rest_max = 63;

@@ -36,7 +36,7 @@ struct Solid::Parts {
     std::vector<std::uint8_t> star_faces_in;
     Lazy<Shells> shells;
     // Says, by triangle of the solid's mesh, if the triangle is a part of the boundary, because its area is positive.
-    // It is empty if all triangles are.
+    // The list is empty if all triangles are parts of the boundary.
     std::vector<std::uint8_t> has_area;
     // Is the flat set if the solid is flat, so that it has no interior; otherwise null. If it is set, only `proper` and
     // `has_area` of the members above are set. All triangles of a segment or a point are parts of its boundary.

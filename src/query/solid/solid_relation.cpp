@@ -51,7 +51,7 @@ class SolidSearch {
     }
 
   private:
-    // These are the regions of space without both surfaces, as bits: in both solids, in a only, in b only.
+    // The bits stand for regions of space without both surfaces: in both solids, in a only, in b only.
     enum : unsigned { in_both = 1, in_a_only = 2, in_b_only = 4, all_regions = 7 };
 
     struct Body {

@@ -234,9 +234,10 @@ class ContactTimes {
         return a < 0 && b < 0 ? Standing::inside : Standing::border;
     }
 
-    // Does the work of meeting() for a vertex and an edge in a plane that is parallel to m. For a vertex of A and the
-    // point t v of an edge of B, w = s m - t v, so w x m = t (m x v). For a vertex of B and the point t u of an edge of
-    // A, w = s m + t u, so w x m = -t (m x u).
+    // Does the work of meeting() for a vertex and an edge in a plane that is parallel to m. The two meet at time s in
+    // the point at parameter t of the edge. Let w be the vector between the features' first corners, from A to B, and v
+    // the edge. If the edge is of B, w = s m - t u, so w x m = t (m x u). If the edge is of A, w = s m + t u, so w x m
+    // = -t (m x u).
     Standing of_vertex_and_edge(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t edge_of = 1 - f.vertex_side;
         const std::size_t edge = f.corner(edge_of), vertex = f.corner(f.vertex_side);

@@ -37,7 +37,7 @@ class RelativePositionOf {
     // of the edge, or p = q. The result is cached.
     virtual const Vector& turn(const CornerAndEdge& which) = 0;
     // Return six times the signed volume of four corners: a corner and the other triangle, or an edge of each triangle.
-    // It is zero if and only if the four corners are in one plane.
+    // The volume is zero if and only if the four corners are in one plane.
     virtual P corner_volume(std::size_t side, std::size_t corner) = 0;
     virtual P edge_volume(std::size_t edge_a, std::size_t edge_b) const = 0;
 };

@@ -56,7 +56,7 @@
 
 namespace ecods::exact {
 
-// These are X^2, X^3, and the factor that covers the second order of a bound (see "Certain signs").
+// These constants are X^2, X^3, and the factor that covers the second order of a bound (see "Certain signs").
 inline constexpr double square_of_size = 0x1p106;
 inline constexpr double cube_of_size = 0x1p159;
 inline constexpr double second_order = 1 + 0x1p-20;

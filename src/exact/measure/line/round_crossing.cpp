@@ -73,8 +73,9 @@ struct Between {
 };
 
 // Sets `rounded` and returns true if all numbers of the interval round to the same normal double. Otherwise returns
-// false. All numbers between the half-way points below and above kept + 1 round to kept + 1. This also holds if kept +
-// 1 is a power of two, above which doubles are farther apart.
+// false. `kept` has the leading digits of the interval's lower end. All numbers between the half-way points below and
+// above kept + 1 round to kept + 1. This also holds if kept + 1 is a power of two, above which doubles are farther
+// apart.
 bool round_between(const Between& x, double& rounded) noexcept {
     const int drop = bit_width(x.digits) - mantissa_bits;
     if (drop < 2) return false;
