@@ -70,7 +70,8 @@ struct BodyEntry {
 };
 
 // Returns when a, translated by time times `motion`, first goes into b, which stays; nullopt if it does not before
-// max_time, in real time. A max_time above 1 counts as 1.
+// max_time, in real time. A max_time above 1 counts as 1. (Parry has a related option: cast_shapes without
+// stop_at_penetration.)
 //
 // Two solids: the infimum of the times from 0 on at which their interiors meet. They then meet at all times just after
 // it; if they meet at the start, the time is 0, whatever max_time is. Two surfaces: the first time at which a triangle

@@ -1,5 +1,5 @@
-// Hits are the points where a segment or a ray meets a body, in their order (Parry, Jolt, Box3D: cast_ray). No World is
-// needed.
+// Hits are the points where a segment or a ray meets a body, in their order (Parry: cast_ray; Jolt: CastRay; Bullet:
+// rayTest; Box3D: b3World_CastRay; Embree: rtcIntersect1). No World is needed.
 //
 //     std::optional<Hit> hit = first_hit(Ray{eye, direction}, {cube, pose});
 //     if (hit) hit->parameter, hit->point, hit->triangle()

@@ -14,11 +14,11 @@
 
 namespace ecods {
 
-// A BodyId names one body of one World, from its creation to its destruction. The slot of a destroyed body is used
-// again with a new generation. So an id that outlives its body is recognised (StaleBody) and never names another body.
-// A slot whose generations are used up, after 65,536 bodies, is never used again; it keeps its memory. An id of another
-// world is recognised by the number of its world. There are 65,535 numbers: worlds are numbered in order, then from 1
-// again.
+// A BodyId names one body of one World, from its creation to its destruction (Box3D: b3BodyId; Jolt: BodyID). The slot
+// of a destroyed body is used again with a new generation. So an id that outlives its body is recognised (StaleBody)
+// and never names another body. A slot whose generations are used up, after 65,536 bodies, is never used again; it
+// keeps its memory. An id of another world is recognised by the number of its world. There are 65,535 numbers: worlds
+// are numbered in order, then from 1 again.
 //
 // The number of the world is not written down: it is in no trace, no digest and no message. An id that a program makes
 // of slot and generation alone has world 0, and counts as an id of the world that it is given to.

@@ -1,5 +1,5 @@
-// Intersection questions say whether two bodies meet, how, and where (FCL, Coal: collide; Parry: intersection_test). No
-// World is needed.
+// Intersection questions say whether two bodies meet, how, and where (FCL, Coal: collide; Parry: intersection_test;
+// Bullet: contactPairTest; PQP: PQP_Collide). No World is needed.
 //
 //     auto cube = std::make_shared<MeshShape>(mesh);
 //     bool touch = intersects({cube, pose_a}, {cube, pose_b});

@@ -1,4 +1,5 @@
-// A Mesh is a triangle mesh. It holds vertices and triangles, which are triples of vertex indices.
+// A Mesh is a triangle mesh. It holds vertices and triangles, which are triples of vertex indices. (Box3D: b3MeshData;
+// trimesh: Trimesh. FCL's and Coal's BVHModel and Parry's TriMesh also have the tree, as MeshShape does.)
 //
 // Example: verify/examples/how_do_i, make_a_mesh().
 #pragma once

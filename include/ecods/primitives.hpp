@@ -12,8 +12,9 @@
 
 namespace ecods {
 
-// An Aabb is an axis-aligned box: the points p with min <= p <= max. Extents may be zero; ends may be infinite, for
-// bounds that are not finite. No number may be NaN, and min may not exceed max.
+// An Aabb is an axis-aligned box: the points p with min <= p <= max (FCL, Coal: AABB; Parry: Aabb; Jolt: AABox).
+// Extents may be zero; ends may be infinite, for bounds that are not finite. No number may be NaN, and min may not
+// exceed max.
 struct Aabb {
     Vec3 min = Vec3::Zero();
     Vec3 max = Vec3::Zero();

@@ -1,4 +1,5 @@
-// A two-body test answers questions about the caller's own shapes (World::set_test).
+// A two-body test answers questions about the caller's own shapes (World::set_test). (FCL, Coal:
+// CollisionFunctionMatrix; Parry: QueryDispatcher; Bullet: btCollisionAlgorithm.)
 //
 // Example: verify/examples/own_shape.
 #pragma once
