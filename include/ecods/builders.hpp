@@ -41,9 +41,9 @@ namespace ecods {
 
 // ---- polytopes around curved bodies
 
-// A Circumscribed holds a convex polytope that contains a curved body. This is exact: the plane of each face has the
-// real body, of the sizes as given, on its inner side. So whatever is apart from the polytope is apart from the curved
-// body.
+// A Circumscribed holds a convex polytope that contains a curved body. The polytope contains the body exactly: the
+// plane of each face has the real body, of the sizes as given, on its inner side. So whatever is apart from the
+// polytope is apart from the curved body.
 struct Circumscribed {
     std::shared_ptr<const ConvexSolid> solid;
     // No point of the polytope is farther from the curved body than this. For cylinders, cones and balls it is the

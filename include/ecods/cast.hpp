@@ -6,8 +6,8 @@
 //
 // There are two kinds of motion, in the time from 0 to 1. Translation by m: at time s a body is at the real points R v
 // + t + s m. Straight motion between two poses: each point moves from R0 v + t0 to R1 v + t1 on a straight line, at
-// constant speed, so at time s the pose's entries are (1 - s) (R0, t0) + s (R1, t1), as real numbers. This is no
-// rotation: halfway through half a turn the body is flat. Split a long turn into short moves.
+// constant speed, so at time s the pose's entries are (1 - s) (R0, t0) + s (R1, t1), as real numbers. Such a motion is
+// no rotation: halfway through half a turn the body is flat. Split a long turn into short moves.
 //
 // Contact is decided for the real numbers: contact at time 0 and at the last time counts, and so does grazing. The time
 // is the least real time, rounded once (distance.hpp says how); a positive time is at least 2^-1074. So the time is 0

@@ -18,8 +18,8 @@ struct Translation {
     friend bool operator==(const Translation& a, const Translation& b) { return a.by == b.by; }
 };
 
-// Moves each point of a body on a straight line, at constant speed, to its place at the pose `to`. This is no rotation
-// (cast.hpp).
+// Moves each point of a body on a straight line, at constant speed, to its place at the pose `to`. Such a motion is no
+// rotation (cast.hpp).
 struct Straight {
     Pose to;
 

@@ -32,8 +32,9 @@
 
 namespace ecods {
 
-// Code outside of all regions uses the baseline's functions. This is a using directive and not an inline namespace:
-// otherwise argument-dependent lookup would find functions of the baseline in the region of another set.
+// Code outside of all regions uses the baseline's functions. These functions are made visible by a using directive and
+// not an inline namespace: otherwise argument-dependent lookup would find functions of the baseline in the region of
+// another set.
 namespace baseline {}
 using namespace baseline;
 

@@ -22,7 +22,7 @@ constexpr std::uint64_t rank_of(const ProxyPair& pair) noexcept {
     return std::uint64_t{pair.a} << 32 | pair.b;
 }
 
-// Compares pairs by their ranks. This is a function object so that algorithms inline it.
+// Compares pairs by their ranks. The comparison is a function object so that algorithms inline it.
 inline constexpr auto is_before = [](const ProxyPair& a, const ProxyPair& b) { return rank_of(a) < rank_of(b); };
 
 // Sorts the pairs, ascending.

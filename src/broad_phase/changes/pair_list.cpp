@@ -207,7 +207,8 @@ void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
     list_.resize(size);
 }
 
-// Writes the patched list to spare_ by a merge without branches. This is faster if changes are close to each other.
+// Writes the patched list to spare_ by a merge without branches. The merge is faster than moving blocks of the list if
+// changes are close to each other.
 void PairList::make_patched(const ProxyPairs& gone, const ProxyPairs& come) {
     constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
     spare_.resize(list_.size() + come.size());

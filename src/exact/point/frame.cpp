@@ -79,8 +79,7 @@ void Frame::measure_digits() noexcept {
 }
 
 // Returns true if points whose terms have these digits are posed without rounding errors, far from underflow and
-// overflow. This is so because every partial sum of R v + d is a multiple of 2^low below 2^(high + 2), and therefore a
-// double.
+// overflow. The reason: every partial sum of R v + d is a multiple of 2^low below 2^(high + 2), and therefore a double.
 bool Frame::points_are_doubles(const BitRange& digits) const noexcept {
     if (digits.empty()) return true;
     if (digits.width() + 3 > mantissa_bits || digits.low < -300 || digits.high > 200) return false;

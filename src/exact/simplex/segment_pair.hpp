@@ -9,7 +9,7 @@
 
 namespace ecods::exact {
 
-// Names a segment by the indices of its ends. They are equal if the segment is a point.
+// Names a segment by the indices of its ends. The indices are equal if the segment is a point.
 struct Segment {
     int a;
     int b;

@@ -8,7 +8,8 @@ namespace {
 
 namespace py = pybind11;
 
-// This is pybind11's function behind all functions that it binds: it selects the overload and converts arguments.
+// `dispatcher` is the function of pybind11 behind all functions that it binds: it selects the overload and converts
+// arguments.
 PyCFunctionWithKeywords dispatcher = nullptr;
 
 // If Python's current error is about arguments that no overload takes, replaces the error's text by one line.

@@ -45,7 +45,8 @@ struct Opposed {
     int sign = 0;
 };
 
-// Returns the normal that is most opposed to the line, of the triangles that are hit with the rank of hit `i`.
+// Looks at the triangles that are hit with the rank of hit `i`, and returns the normal of one of them that is most
+// opposed to the line.
 std::optional<Vec3> most_opposed(const Line& line, std::span<const ExactHit> hits, std::size_t i,
                                  const Posed<MeshShape>& body) {
     const ScaledLongVector direction = direction_of(line);

@@ -26,7 +26,7 @@ struct Place {
     Vec3 point;
     double error;
 };
-// Returns the position at parameter s of the line, also if s is off by up to 4 u' s.
+// Returns the position at parameter s of the line. The error bound covers a parameter that is off by up to 4 u' s.
 Place place_on(const Line& line, double s);
 
 // NearLine lists the triangles of a boundary that may be near points of a line, as pairs with pair.a = 0.

@@ -118,8 +118,8 @@ std::uint32_t LineProof::open(const X& x) {
     return left;
 }
 
-// Returns the formula whose axis has the widest gap in doubles. This is a guess, which integers must confirm. Trying
-// all 32 formulas in integers would take most of the time of a proof.
+// Returns the formula whose axis has the widest gap in doubles. The formula is a guess, which integers must confirm.
+// Trying all 32 formulas in integers would take most of the time of a proof.
 AxisFormula LineProof::likely_axis(const Triangle& triangle) const {
     const std::array<Vec3, 3> corner{body_.at(triangle[0]), body_.at(triangle[1]), body_.at(triangle[2])};
     const Vec3 way = parameter_ * (to_ - from_);

@@ -104,8 +104,8 @@ void PartingSearch::try_length(const Vec3& direction, double length) {
 // Slides the second solid along a path from outside up to the first contact, and returns this contact. The time of a
 // contact has a resolution of 2^-53 of the path, which is as long as the solids are large. If the path is the best so
 // far, and the part after the contact is short, casts again along that part alone, lengthened by the roundings of the
-// longer cast. This is repeated until the part is no longer short, or is below a rounding error of the smaller solid's
-// size. If the other solid is 2^k times as large, there are up to k / 48 + 2 more casts.
+// longer cast. The shorter casts are repeated until the part is no longer short, or is below a rounding error of the
+// smaller solid's size. If the other solid is 2^k times as large, there are up to k / 48 + 2 more casts.
 std::optional<FirstContact> PartingSearch::slide(const Direction& way) {
     double known = best_.length;
     std::optional<FirstContact> contact = slide_once(way);

@@ -107,7 +107,7 @@ class Query {
         pair_is_bound_ = false;
     }
 
-    // Binds state_.pair to the bodies. This is called at the first pair of triangles, so that queries without such
+    // Binds state_.pair to the bodies. The binding happens at the first pair of triangles, so that queries without such
     // pairs do not pay for it.
     void bind_pair() {
         state_.pair.reset_counts();
