@@ -3,6 +3,7 @@
 // along every vector. So the greatest gap of all, which is the distance D, or minus the depth, is less by p.
 #include "base/double_key.hpp"
 #include "ecods/error.hpp"
+#include "exact/simplex/common_pose.hpp"
 #include "query/body/contained.hpp"
 #include "query/body/rounded_pair.hpp"
 #include "query/body/small_pair.hpp"
@@ -28,6 +29,8 @@ std::optional<SignedDistance> find_fixed(const RoundedPair& pair, const Ask& ask
 
 }  // namespace
 
+// Convex cores that share a point are asked about as convex solids. Those of which one is no solid, and which are
+// apart, name their features as triangles do.
 SignedDistance RoundedPair::signed_distance(const Ask& ask) const {
     if (const auto found = find_fixed(*this, ask)) return *found;
     Asking asking(ask);
@@ -38,18 +41,25 @@ SignedDistance RoundedPair::signed_distance(const Ask& ask) const {
         if (bodies.are_convex()) {
             return depths::signed_distance(bodies.a.convex(), bodies.b.convex(), radii(), part);
         }
-        if (!is_part_inside(bodies, memory)) {
+        const bool have_depth = convex::is_convex_core(*a.core.what) && convex::is_convex_core(*b.core.what);
+        const bool are_sets = have_depth && exact::is_regular(a.core.pose.R) && exact::is_regular(b.core.pose.R);
+        if (are_sets) {
+            const auto deep =
+                depths::signed_depth(convex::convex_core(a.core), convex::convex_core(b.core), radii(), part);
+            if (deep) return *deep;
+        }
+        if (are_sets || !is_part_inside(bodies, memory)) {
             if (auto apart = surface::signed_closest(bodies.a.boundary(), bodies.b.boundary(), part, radii())) {
                 ClosestPoints& at = apart->closest;
                 bodies.rename(at);
                 return SignedDistance{at.distance, at.kind, at.a, at.b, at.point_a, at.point_b, *apart->direction};
             }
         }
-        if (!convex::is_convex_core(*a.core.what) || !convex::is_convex_core(*b.core.what)) {
+        if (!have_depth) {
             throw NotSupported("the cores share a point, and one of them is not convex: their depth is not known");
         }
-        const Posed<ConvexSolid> first = convex::convex_core(a.core), second = convex::convex_core(b.core);
-        return depths::signed_distance(first, second, radii(), part);
+        // A pose is singular, which this call reports.
+        return depths::signed_distance(convex::convex_core(a.core), convex::convex_core(b.core), radii(), part);
     });
 }
 

@@ -2,7 +2,16 @@
 
 #include <memory>
 
+#include "query/shape/mesh_tree.hpp"
+
 namespace ecods::convex {
+namespace {
+
+std::unique_ptr<const ConvexSolid> make_core(const MeshShape& shape) {
+    return std::make_unique<const ConvexSolid>(shape.mesh_ptr());
+}
+
+}  // namespace
 
 bool is_convex_core(const MeshShape& shape) noexcept {
     return shape.form() == MeshForm::convex || shape.mesh().triangles().size() == 1;
@@ -10,7 +19,7 @@ bool is_convex_core(const MeshShape& shape) noexcept {
 
 Posed<ConvexSolid> convex_core(const Posed<MeshShape>& posed) {
     if (posed.what->form() == MeshForm::convex) return {static_cast<const ConvexSolid&>(*posed.what), posed.pose};
-    return {std::make_shared<const ConvexSolid>(posed.what->mesh_ptr()), posed.pose};
+    return {MeshShapeAccess::convex(*posed.what, make_core), posed.pose};
 }
 
 }  // namespace ecods::convex

@@ -10,8 +10,8 @@ namespace ecods::convex {
 // Returns true if the shape is a convex solid, or a mesh of one triangle.
 bool is_convex_core(const MeshShape& shape) noexcept;
 
-// Returns a shape for which is_convex_core() is true as a convex solid. A mesh of one triangle becomes a new flat
-// solid, which the result keeps alive.
+// Returns a shape for which is_convex_core() is true as a convex solid. A mesh of one triangle becomes a flat solid,
+// which is made on first use and kept with the shape: the shape must outlive the result. Many threads may ask at once.
 Posed<ConvexSolid> convex_core(const Posed<MeshShape>& posed);
 
 }  // namespace ecods::convex

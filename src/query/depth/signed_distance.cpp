@@ -10,6 +10,18 @@
 #include "query/intersection/asking.hpp"
 
 namespace ecods {
+namespace {
+
+// Answers for two solids that share a point.
+SignedDistance deepest(convex::PosedHulls& hulls, const exact::Radii& radii, Asking& asking) {
+    const std::optional<depths::ExactDepth> found = depths::find_depth(hulls, depths::DepthMemory::of(asking.memory()));
+    ECODS_ASSERT(found);
+    const ClosestPoints at = convex::name_deepest(hulls, depths::least_of(hulls, *found), radii);
+    asking.witness() = {at.a.triangle, at.b.triangle};
+    return {opposite(at.distance), at.kind, at.a, at.b, at.point_a, at.point_b, found->direction};
+}
+
+}  // namespace
 
 SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const Ask& ask) {
     return depths::signed_distance(a, b, {}, ask);
@@ -30,11 +42,16 @@ SignedDistance depths::signed_distance(const Posed<ConvexSolid>& a, const Posed<
                                     : exact::round_signed_beyond(convex::square_of(hulls, closest->found), margin);
         return {distance, at.kind, at.a, at.b, at.point_a, at.point_b, convex::round_direction(hulls, closest->found)};
     }
-    const std::optional<ExactDepth> found = find_depth(hulls, DepthMemory::of(memory));
-    ECODS_ASSERT(found);
-    const ClosestPoints at = convex::name_deepest(hulls, least_of(hulls, *found), radii);
-    asking.witness() = {at.a.triangle, at.b.triangle};
-    return {opposite(at.distance), at.kind, at.a, at.b, at.point_a, at.point_b, found->direction};
+    return deepest(hulls, radii, asking);
+}
+
+std::optional<SignedDistance> depths::signed_depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
+                                                   const exact::Radii& radii, const Ask& ask) {
+    Asking asking(ask);
+    ++QueryMemoryAccess::state(asking.memory()).counts.queries;
+    convex::PosedHulls hulls(a, b, asking.memory());
+    if (convex::find_closest(hulls, &asking.witness())) return std::nullopt;
+    return deepest(hulls, radii, asking);
 }
 
 }  // namespace ecods

@@ -1,6 +1,8 @@
 // Declares the signed distance of two convex solids with radii around them.
 #pragma once
 
+#include <optional>
+
 #include "ecods/ask.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/solid.hpp"
@@ -12,5 +14,9 @@ namespace ecods::depths {
 // radii. The points are those of the rounded solids. Counts as a question. Throws SingularPose.
 SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Radii& radii,
                                const Ask& ask);
+
+// Returns the same if the solids share a point; otherwise nullopt.
+std::optional<SignedDistance> signed_depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
+                                           const exact::Radii& radii, const Ask& ask);
 
 }  // namespace ecods::depths

@@ -32,6 +32,7 @@ struct MeshShape::Parts {
     Lazy<Sha256::Digest> digest;
     Lazy<std::unique_ptr<const MeshShape>> in_other_units;
     Lazy<std::vector<std::uint32_t>> pieces;
+    Lazy<std::unique_ptr<const ConvexSolid>> convex;
 
     // Returns the table from which boxes are computed; null if boxes are computed by posing all vertices.
     const SupportTable* table_for(const MeshShape& shape);
@@ -83,6 +84,11 @@ const std::vector<std::uint32_t>& MeshShapeAccess::pieces(const MeshShape& shape
 const MeshShape& MeshShapeAccess::in_other_units(const MeshShape& shape,
                                                  std::shared_ptr<const Mesh> (*make)(const Mesh& mesh, int e), int e) {
     return *shape.parts_->in_other_units.get([&] { return std::make_unique<const MeshShape>(make(shape.mesh(), e)); });
+}
+
+const ConvexSolid& MeshShapeAccess::convex(const MeshShape& shape,
+                                           std::unique_ptr<const ConvexSolid> (*make)(const MeshShape&)) {
+    return *shape.parts_->convex.get([&] { return make(shape); });
 }
 
 void MeshShapeAccess::refit_tree(const MeshShape& shape, const MeshShape& model) {

@@ -45,6 +45,11 @@ struct MeshShapeAccess {
     static const std::vector<std::uint32_t>& pieces(const MeshShape& shape,
                                                     std::vector<std::uint32_t> (*find)(const MeshShape& shape));
 
+    // Returns the convex solid that covers a mesh of one triangle (query/convex/convex_core.hpp), which `make` creates
+    // on first use.
+    static const ConvexSolid& convex(const MeshShape& shape,
+                                     std::unique_ptr<const ConvexSolid> (*make)(const MeshShape& shape));
+
     // Makes the tree of `shape` by refitting the tree of `model`, which must have the same triangles. No other thread
     // may use `shape` yet.
     static void refit_tree(const MeshShape& shape, const MeshShape& model);
