@@ -1,4 +1,4 @@
-// A body that turns, in all worlds, while others are translated or rest.
+// A body that turns, in all worlds, while others are translated, go straight to poses, turn or rest.
 #include <fmt/format.h>
 
 #include <optional>
@@ -24,6 +24,18 @@ Turn any_turn(const World& world, const std::vector<BodyId>& bodies, scenes::Ran
     if (turn.q.w <= 0 && turn.q.x == 0 && turn.q.y == 0 && turn.q.z == 0) turn.q.z = 1;
     turn.pivot_to = random.below(2) == 0 ? turn.pivot_from : any_point(world, bodies, random);
     return turn;
+}
+
+// A translation; or, if `may_turn`, also a turn, or the straight way to the pose of some body. Nothing if it has no
+// end.
+std::optional<Motion> any_motion(const World& world, const std::vector<BodyId>& bodies, bool may_turn,
+                                 scenes::Random& random) {
+    const Vec3 by = any_point(world, bodies, random) - any_point(world, bodies, random);
+    if (!by.allFinite()) return std::nullopt;
+    const auto kind = may_turn ? random.below(4) : 3;
+    if (kind == 0) return any_turn(world, bodies, random);
+    if (kind > 1) return Translation{by};
+    return Straight{world.pose(bodies[random.below(static_cast<std::uint32_t>(bodies.size()))])};
 }
 
 // A body that turns and one at rest, judged by the oracle, where it takes no longer than the worlds.
@@ -52,16 +64,16 @@ void check_turns(std::span<World* const> worlds, std::uint32_t seed, Counters& c
     scenes::Random random(seed);
     const BodyId own = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
     const Turn turn = any_turn(first, bodies, random);
-    // Others are translated, or rest; or turn, unless numbers are long (turn.hpp has what this costs).
+    // Others move or rest. Where numbers are long, they do not turn (turn.hpp has what this costs).
     const bool may_turn = have_moderate_numbers(first, bodies);
     std::vector<BodyId> moved{numbers_of(own)};
     std::vector<Motion> motions{turn}, of_all;
     for (const BodyId body : bodies) {
         of_all.push_back(body == own ? Motion(turn) : Motion());
         if (body == own || random.below(3) != 0) continue;
-        const Vec3 by = any_point(first, bodies, random) - any_point(first, bodies, random);
-        if (!by.allFinite()) continue;
-        of_all.back() = may_turn && random.below(3) == 0 ? Motion(any_turn(first, bodies, random)) : Translation{by};
+        const std::optional<Motion> motion = any_motion(first, bodies, may_turn, random);
+        if (!motion) continue;
+        of_all.back() = *motion;
         moved.push_back(numbers_of(body));
         motions.push_back(of_all.back());
     }

@@ -4,6 +4,7 @@
 #include "fuzz/pairs/case_run.hpp"
 #include "judge/both_turn_truth.hpp"
 #include "judge/text.hpp"
+#include "judge/turn_and_straight_truth.hpp"
 #include "judge/turn_truth.hpp"
 #include "judge/way_questions.hpp"
 
@@ -32,6 +33,7 @@ class Run : CaseRun {
         require_answers(made, judged, "every form");
         if (random_.below(4) == 0) require_answers_in_environment(made, judged);
         if (random_.below(2) == 0) check_both(made);
+        if (random_.below(2) == 0) check_straight(made);
         require_ways(made);
         ++index_;
     }
@@ -62,6 +64,28 @@ class Run : CaseRun {
     static constexpr std::size_t way_pairs_max = 64;
     static constexpr std::size_t pairs_max = 16;  // of triangles
     static constexpr std::size_t both_pairs_max = 36;
+
+    // The other body goes straight to a pose; this one turns, or is translated.
+    void check_straight(const scenes::TurnCase& made) {
+        const std::size_t pairs = made.a->triangles().size() * made.b->triangles().size();
+        if (pairs > both_pairs_max) return;
+        const MeshShape a(made.a), b(made.b);
+        const Pose to = scenes::pose_beside(random_, made);
+        const Vec3 way = made.turn.pivot_to - made.turn.pivot_from;
+        const bool turns = !way.allFinite() || random_.below(2) == 0;
+        const judge::TurnAndStraightTruth truth({a, made.pose_a}, turns ? Motion(made.turn) : Translation{way},
+                                                {b, made.pose_b, to});
+        std::string how = (turns ? "a turns, b goes to " : "a is translated, b goes to ") + judge::text(to.t);
+        for (int k = 0; k < 3; ++k) how += ", " + judge::text(Vec3(to.R.col(k)));
+        ++counts_.checks["one goes straight"];
+        if (const auto wrong = truth.ask(memory_, witness_)) fail(*wrong, made, how);
+        if (pairs <= 4 && random_.below(4) == 0) {
+            ++counts_.checks["one goes straight, pieces of the time"];
+            const auto contradiction = truth.contradiction();
+            require_promise(!contradiction, judge::text(truth.contact()) + " by pieces of the time",
+                            contradiction.value_or("") + ", " + how, made);
+        }
+    }
 
     // The other body turns, too.
     void check_both(const scenes::TurnCase& made) {

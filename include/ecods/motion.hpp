@@ -1,5 +1,6 @@
 // A Motion says how a body moves in the time from 0 to 1: it is translated, or goes straight to another pose, or turns.
 // (FCL: MotionBase; Parry: NonlinearRigidMotion; Box3D: b3Sweep.)
+// Two bodies may move in any two of these ways (turn.hpp, world.hpp).
 //
 // Example: verify/examples/how_do_i, move_at_once().
 #pragma once

@@ -70,10 +70,11 @@ namespace ecods {
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Turning<MeshShape>& b,
                                                          double max_time = 1, const Ask& ask = {});
 
-// Returns the first contact of two bodies that each move in any way, as the casts above and those of cast.hpp do. If b
-// turns and a does not, and several pairs of features tie, the first is chosen as if b came first. Throws NotSupported
-// if one goes straight to another pose and the other one turns or is translated. Cost: that of the cast of these
-// motions; two translated bodies are searched as a turn by the angle 0 and a translation.
+// Returns the first contact of two bodies that each move in any way, as the casts above and those of cast.hpp do, and
+// for a straight motion beside a turn or a translation, too. If b turns and a does not, and several pairs of features
+// tie, the first is chosen as if b came first. Errors are those of the casts above. Cost: that of the cast of these
+// motions. A straight motion beside a turn takes about as long as two turns; beside a translation, as two straight
+// motions, which two translations are, too.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Motion& motion_of_a,
                                                          const Posed<MeshShape>& b, const Motion& motion_of_b,
                                                          double max_time = 1, const Ask& ask = {});

@@ -302,9 +302,8 @@ class ECODS_API World {
 
     // Return all pairs that meet while each of the bodies moves, straight to its new pose or in any way (motion.hpp),
     // and all other bodies stay. Meeting says in which order. If a body is listed twice, its later motion counts. Throw
-    // the errors of set_poses(), and of validate() for motions. Need tests that answer Question::cast_moving, and
-    // cast_any_motion if a body turns or is translated; then throw NotSupported if another listed body goes straight to
-    // another pose.
+    // the errors of set_poses(), of validate() for motions, and of the casts of turns (turn.hpp). Need tests that
+    // answer Question::cast_moving, and cast_any_motion if a body turns or is translated.
     [[nodiscard]] std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Pose> poses,
                                                 const Ask& ask = {}) const;
     [[nodiscard]] std::vector<Meeting> meetings(std::span<const BodyId> bodies, std::span<const Motion> motions,

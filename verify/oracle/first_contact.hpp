@@ -4,9 +4,9 @@
 // that make one point of both. Where every point moves by itself, features meet at the common roots of polynomials of
 // the time, of degree 3 or less; each root from 0 to 1 is asked whether the features really share a point there. Where
 // a body turns, coordinates are polynomials over the squared length of the quaternion, which has no root and is divided
-// out; where both turn, over the product of both. What is left out: pairs of triangles of which the boxes of all their
-// places, in integers, do not overlap, and those whose projections on some line are apart at the start and at the first
-// time that is known so far.
+// out, whether the other one rests or goes straight; where both turn, over the product of both. What is left out: pairs
+// of triangles of which the boxes of all their places, in integers, do not overlap, and those whose projections on some
+// line are apart at the start and at the first time that is known so far.
 #pragma once
 
 #include <array>
@@ -49,5 +49,6 @@ struct TurningSoup {
 };
 std::optional<ExactContact> first_contact(const TurningSoup& a, const Soup& b);
 std::optional<ExactContact> first_contact(const TurningSoup& a, const TurningSoup& b);
+std::optional<ExactContact> first_contact(const TurningSoup& a, const MovingSoup& b);
 
 }  // namespace ecods::oracle

@@ -159,20 +159,23 @@ inline Corners at_end(const FormCorners& corners, bool is_upper) {
     return points;
 }
 
-// One triangle on a piece: its corners, times a positive form.
+// One triangle on a piece: its corners, and its edges, each times a positive form.
 struct TriangleOnPiece {
-    const RotationForms& rotation;
-    const Corners& arms;
+    const RotationForms* rotation;  // null if the corners go straight
     FormCorners corners;
+    std::array<Forms, 3> edges;
 
-    TriangleOnPiece(const RotationForms& turns, const Forms& pivot, const Form& unit, const Corners& of_triangle)
-        : rotation(turns), arms(of_triangle) {
+    TriangleOnPiece(const RotationForms& turns, const Forms& pivot, const Form& unit, const Corners& arms)
+        : rotation(&turns) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const Forms turned = rotation.turn(arms[i]);
+            const Forms turned = turns.turn(arms[i]);
             for (std::size_t k = 0; k < 3; ++k) corners[i][k] = pivot[k] + turned[k] * unit;
+            edges[i] = turns.turn(Integers(arms[(i + 1) % 3] - arms[i]));
         }
     }
-    Forms edge(std::size_t i) const { return rotation.turn(Integers(arms[(i + 1) % 3] - arms[i])); }
+    explicit TriangleOnPiece(const FormCorners& straight) : rotation(nullptr), corners(straight) {
+        for (std::size_t i = 0; i < 3; ++i) edges[i] = corners[(i + 1) % 3] - corners[i];
+    }
 };
 
 inline FormCorners times(FormCorners corners, const Form& factor) {
@@ -205,12 +208,13 @@ struct PairOnPiece {
         const auto found = closest(at_end(a, is_upper), at_end(b, is_upper));
         if (!found) return false;
         if (are_apart_along(constant(found->way), a, b)) return true;
-        for (const RotationForms* rotation : {&first.rotation, &second.rotation}) {
+        for (const RotationForms* rotation : {first.rotation, second.rotation}) {
+            if (rotation == nullptr) continue;
             const Integers in_body = without_common_divisor(rotation->turn_back(found->way, is_upper));
             if (are_apart_along(rotation->turn(in_body), a, b)) return true;
         }
         if (found->features.kind != Closeness::edge_edge) return false;
-        return are_apart_along(cross(first.edge(found->features.a), second.edge(found->features.b)), a, b);
+        return are_apart_along(cross(first.edges[found->features.a], second.edges[found->features.b]), a, b);
     }
 };
 

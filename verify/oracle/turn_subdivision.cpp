@@ -47,9 +47,15 @@ struct BodyOnPiece {
 TurnSubdivision::TurnSubdivision(const TurningSoup& a, const Soup& b)
     : TurnSubdivision(a, TurningSoup{b, {1, 0, 0, 0}, Vec3::Zero(), Vec3::Zero()}) {}
 
-TurnSubdivision::TurnSubdivision(const TurningSoup& a, const TurningSoup& b) {
-    const std::array<const TurningSoup*, 2> soups{&a, &b};
-    std::array<std::vector<std::array<Fractions, 3>>, 2> triangles;
+TurnSubdivision::TurnSubdivision(const TurningSoup& a, const TurningSoup& b) : TurnSubdivision(Moved{a}, Moved{b}) {}
+
+TurnSubdivision::TurnSubdivision(const TurningSoup& a, const MovingSoup& b)
+    : TurnSubdivision(Moved{a}, Moved{{b.from, {1, 0, 0, 0}, Vec3::Zero(), Vec3::Zero()}, &b.to}) {}
+
+TurnSubdivision::TurnSubdivision(const Moved& a, const Moved& b) {
+    const std::array<const TurningSoup*, 2> soups{&a.soup, &b.soup};
+    const std::array<const Pose*, 2> ends{a.end, b.end};
+    std::array<std::vector<std::array<Fractions, 3>>, 2> triangles, at_end;
     std::array<std::array<Fractions, 2>, 2> pivots;
     mpz_class unit = 1;  // all denominators are powers of two
     const auto add = [&](const Fractions& point) {
@@ -58,7 +64,11 @@ TurnSubdivision::TurnSubdivision(const TurningSoup& a, const TurningSoup& b) {
     for (std::size_t side = 0; side < 2; ++side) {
         triangles[side] = posed(soups[side]->from);
         pivots[side] = {posed(Pose(), soups[side]->pivot_from), posed(Pose(), soups[side]->pivot_to)};
+        if (ends[side] != nullptr) {
+            at_end[side] = posed(Soup{soups[side]->from.vertices, soups[side]->from.triangles, *ends[side]});
+        }
         for (const auto& corners : triangles[side]) std::ranges::for_each(corners, add);
+        for (const auto& corners : at_end[side]) std::ranges::for_each(corners, add);
         std::ranges::for_each(pivots[side], add);
     }
     const auto integers = [&](const Fractions& point) {
@@ -73,6 +83,7 @@ TurnSubdivision::TurnSubdivision(const TurningSoup& a, const TurningSoup& b) {
             body.arms.push_back(
                 {integers(t[0]) - body.pivot, integers(t[1]) - body.pivot, integers(t[2]) - body.pivot});
         }
+        for (const auto& t : at_end[side]) body.at_end.push_back({integers(t[0]), integers(t[1]), integers(t[2])});
         const auto& q = soups[side]->q;
         for (const double x : q) body.one = std::max(body.one, mpq_class(x).get_den());
         for (std::size_t i = 0; i < 4; ++i) body.q[i] = mpq_class(mpq_class(q[i]) * body.one).get_num();
@@ -83,12 +94,12 @@ TurnSubdivision::TurnSubdivision(const TurningSoup& a, const TurningSoup& b) {
 namespace {
 
 // `linear(x, y)` is the form of what goes from x to y in the time from 0 to 1, and `unit` that of what is always 1. A
-// body that rests is a constant.
+// body that rests is a constant. The factor of one that goes straight is `unit`.
 template <class Body, class Linear>
 BodyOnPiece on_piece(const Body& body, const Linear& linear, const Form& unit) {
-    if (body.rests) {
+    if (body.rests || !body.at_end.empty()) {
         const Form one{{1}}, none{{0}};
-        return {RotationForms({one, none, none, none}), constant(body.pivot), one, one};
+        return {RotationForms({one, none, none, none}), constant(body.pivot), one, body.at_end.empty() ? one : unit};
     }
     RotationForms rotation(
         {linear(body.one, body.q[0]), linear(0, body.q[1]), linear(0, body.q[2]), linear(0, body.q[3])});
@@ -100,9 +111,20 @@ BodyOnPiece on_piece(const Body& body, const Linear& linear, const Form& unit) {
     return {std::move(rotation), std::move(pivot), unit, std::move(factor)};
 }
 
-std::vector<TriangleOnPiece> triangles_on(const BodyOnPiece& body, const std::vector<Corners>& arms) {
+template <class Body, class Linear>
+std::vector<TriangleOnPiece> triangles_on(const BodyOnPiece& on_piece, const Body& body, const Linear& linear) {
     std::vector<TriangleOnPiece> triangles;
-    for (const Corners& corners : arms) triangles.emplace_back(body.rotation, body.pivot, body.unit, corners);
+    for (std::size_t t = 0; t < body.arms.size(); ++t) {
+        if (body.at_end.empty()) {
+            triangles.emplace_back(on_piece.rotation, on_piece.pivot, on_piece.unit, body.arms[t]);
+            continue;
+        }
+        FormCorners corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) corners[i][k] = linear(body.arms[t][i][k], body.at_end[t][i][k]);
+        }
+        triangles.emplace_back(corners);
+    }
     return triangles;
 }
 
@@ -129,7 +151,7 @@ bool TurnSubdivision::are_apart(const mpq_class& from, const mpq_class& to, int 
         };
         const Form unit{{piece.den, piece.den}};
         const BodyOnPiece a = on_piece(bodies_[0], linear, unit), b = on_piece(bodies_[1], linear, unit);
-        const auto of_a = triangles_on(a, bodies_[0].arms), of_b = triangles_on(b, bodies_[1].arms);
+        const auto of_a = triangles_on(a, bodies_[0], linear), of_b = triangles_on(b, bodies_[1], linear);
         std::vector<std::pair<std::size_t, std::size_t>> left;
         for (const auto& [i, j] : next.pairs) {
             const PairOnPiece pair(of_a[i], a.factor, of_b[j], b.factor);
@@ -148,7 +170,7 @@ bool TurnSubdivision::meet(const mpq_class& time) const {
         return Form{{at_0 * (den - num) + at_1 * num}};
     };
     const BodyOnPiece a = on_piece(bodies_[0], at, Form{{den}}), b = on_piece(bodies_[1], at, Form{{den}});
-    const auto of_a = triangles_on(a, bodies_[0].arms), of_b = triangles_on(b, bodies_[1].arms);
+    const auto of_a = triangles_on(a, bodies_[0], at), of_b = triangles_on(b, bodies_[1], at);
     for (const TriangleOnPiece& first : of_a) {
         for (const TriangleOnPiece& second : of_b) {
             const PairOnPiece pair(first, a.factor, second, b.factor);

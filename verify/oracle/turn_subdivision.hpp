@@ -1,6 +1,6 @@
-// Two bodies of which one turns, or both, by pieces of the time: proofs that the bodies are apart throughout a piece,
-// and the question at a single time. No root of a polynomial is computed, and no condition on features decides: it
-// shares nothing with the first contacts of first_contact.hpp.
+// Two bodies of which one turns, or both, or one turns and one goes straight, by pieces of the time: proofs that the
+// bodies are apart throughout a piece, and the question at a single time. No root of a polynomial is computed, and no
+// condition on features decides: it shares nothing with the first contacts of first_contact.hpp.
 //
 // On a piece of the time the quaternion is a linear form of two numbers u, v >= 0 that are not both 0: how far the time
 // is from either end. The corners are then cubic forms over a common positive one; of the fifth degree if both turn. A
@@ -24,6 +24,7 @@ class TurnSubdivision {
   public:
     TurnSubdivision(const TurningSoup& a, const Soup& b);
     TurnSubdivision(const TurningSoup& a, const TurningSoup& b);
+    TurnSubdivision(const TurningSoup& a, const MovingSoup& b);
 
     // True if the bodies are proven to share no point from one time to another. Pieces are halved up to so many times;
     // no proof is found where they do share a point.
@@ -42,7 +43,14 @@ class TurnSubdivision {
         mpz_class one = 1;
         std::array<mpz_class, 4> q;
         bool rests = false;
+        std::vector<std::array<Integers, 3>> at_end;  // corners, if they go straight; `arms` has them at the start
     };
+    // A soup that turns; or one that goes straight, if it has a pose at the end.
+    struct Moved {
+        TurningSoup soup;
+        const Pose* end = nullptr;
+    };
+    TurnSubdivision(const Moved& a, const Moved& b);
     std::array<Body, 2> bodies_;
 };
 

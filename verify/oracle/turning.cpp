@@ -188,6 +188,13 @@ class TurningPairs {
     TurningSide side_;
 };
 
+// Leaves out the range along the axis of a turn: the axes of two turns are not the same, and a straight motion has
+// none.
+Ranges without_axis(Ranges ranges) {
+    ranges[3] = {0, 0};
+    return ranges;
+}
+
 // Coordinates of two bodies that turn are times both squared lengths.
 class BothTurningPairs {
   public:
@@ -218,16 +225,60 @@ class BothTurningPairs {
         const std::span<const Vec3> places(places_);
         return {a_, b_, Soup{places.first(2), segment, Pose()}, Soup{places.last(2), segment, Pose()}};
     }
-    // The axes are not the same.
-    static Ranges without_axis(Ranges ranges) {
-        ranges[3] = {0, 0};
-        return ranges;
-    }
 
     Soup a_, b_;
     std::array<Vec3, 4> places_;
     CommonIntegers common_;
     TurningSide side_a_, side_b_;
+};
+
+class TurnAndStraightPairs {
+  public:
+    TurnAndStraightPairs(const TurningSoup& a, const MovingSoup& b)
+        : a_(a.from),
+          b_(b.from),
+          b_at_end_{b.from.vertices, b.from.triangles, b.to},
+          places_{a.pivot_from, a.pivot_to},
+          common_(soups()),
+          side_(a, common_.points[0], common_.points[2]) {}
+
+    PairsOnTheWay pairs() const {
+        std::vector<Ranges> of_a, of_b;
+        for (const Triangle& t : a_.triangles) of_a.push_back(without_axis(side_.on_the_way(t)));
+        for (const Triangle& t : b_.triangles) of_b.push_back(ranges_of_way(t));
+        PairsOnTheWay result = pairs_of(a_, b_, of_a, of_b);
+        result.motion = [this](const TrianglePair& pair) {
+            const Polynomial& norm = side_.quaternion().squared_length;
+            return make_motion(side_.corners(pair.a), times(straight_corners(pair.b), norm), norm);
+        };
+        return result;
+    }
+
+  private:
+    std::array<Soup, 4> soups() const { return {a_, b_, Soup{places_, segment, Pose()}, b_at_end_}; }
+    Ranges ranges_of_way(const Triangle& t) const {
+        Ranges ranges = ranges_around(common_.points[1], t, Integers{});
+        const Ranges at_end = ranges_around(common_.points[3], t, Integers{});
+        for (std::size_t k = 0; k < 3; ++k) {
+            ranges[k].add(at_end[k].min);
+            ranges[k].add(at_end[k].max);
+        }
+        return ranges;
+    }
+    PolynomialCorners straight_corners(std::uint32_t index) const {
+        PolynomialCorners corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t vertex = b_.triangles[index][i];
+            const Integers &from = common_.points[1][vertex], &to = common_.points[3][vertex];
+            for (std::size_t k = 0; k < 3; ++k) corners[i][k] = Polynomial({from[k], to[k] - from[k]});
+        }
+        return corners;
+    }
+
+    Soup a_, b_, b_at_end_;
+    std::array<Vec3, 2> places_;
+    CommonIntegers common_;
+    TurningSide side_;
 };
 
 }  // namespace
@@ -242,6 +293,12 @@ std::optional<ExactContact> first_contact(const TurningSoup& a, const TurningSou
     const FloatEnvironment environment;
     const BothTurningPairs turning(a, b);
     return first_of(turning.pairs());
+}
+
+std::optional<ExactContact> first_contact(const TurningSoup& a, const MovingSoup& b) {
+    const FloatEnvironment environment;
+    const TurnAndStraightPairs pairs(a, b);
+    return first_of(pairs.pairs());
 }
 
 }  // namespace ecods::oracle

@@ -26,6 +26,9 @@ std::optional<MeetingAnswer> find(const std::vector<MeetingAnswer>& list, std::s
 std::size_t count_of(const oracle::Soup& soup) {
     return soup.triangles.size();
 }
+std::size_t count_of(const oracle::MovingSoup& soup) {
+    return soup.from.triangles.size();
+}
 std::size_t count_of(const oracle::TurningSoup& soup) {
     return soup.from.triangles.size();
 }
@@ -46,7 +49,7 @@ void OracleJudge::check_meetings(const SceneWorld& world, const FrameAnswer& ans
     }
 }
 
-// If one of two bodies turns, the other one rests or turns.
+// If one of two bodies turns, it is the first one.
 void OracleJudge::check_meeting(const SceneWorld& world, const FrameAnswer& answer, std::size_t a, std::size_t b) {
     ++report_.moves;
     const std::string bodies = scene_.bodies[a].name + ", " + scene_.bodies[b].name;
@@ -57,15 +60,17 @@ void OracleJudge::check_meeting(const SceneWorld& world, const FrameAnswer& answ
     const auto turned = [&](std::size_t body) {
         return judge::turning_soup({*world.posed(body).what, world.pose_before(body), *world.turn(body)});
     };
+    const bool rests = world.pose_before(b) == world.pose(b);
     const auto exact = !world.turn(a)  ? judge::to_first_contact(oracle::first_contact(way_of(a), way_of(b)))
                        : world.turn(b) ? exact_turn(answer, turned(a), turned(b), bodies)
-                                       : exact_turn(answer, turned(a), before(b), bodies);
+                       : rests         ? exact_turn(answer, turned(a), before(b), bodies)
+                                       : exact_turn(answer, turned(a), way_of(b), bodies);
     const auto found = contact_of(find(answer.meetings, a, b));
     if (judge::is_same(found, exact)) return;
     differ(answer, bodies, fmt::format("on the way {}, but exactly {}", judge::text(found), judge::text(exact)));
 }
 
-// The other body rests, or turns.
+// The other body rests, goes straight, or turns.
 template <class Other>
 std::optional<FirstContact> OracleJudge::exact_turn(const FrameAnswer& answer, const oracle::TurningSoup& a,
                                                     const Other& b, const std::string& bodies) {

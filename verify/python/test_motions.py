@@ -62,11 +62,14 @@ def test_two_bodies_in_any_order():
     assert wall == ecods.cast(ecods.Mesh(*box()).at(at(4, 1)), (-2, 0, 0), WALL) and wall.time == 0.5
 
 
-@pytest.mark.parametrize("other", [HALF, ecods.Translation((1, 0, 0))])
-def test_what_is_not_supported_of_two_bodies(other):
-    for pair in ((ecods.Straight(at(1)), other), (other, ecods.Straight(at(1)))):
-        with pytest.raises(ecods.NotSupported):
-            ecods.cast(CUBE, pair[0], CUBE.at(at(3)), pair[1])
+def test_a_straight_move_beside_others():
+    low, high = CUBE, CUBE.at(at(3))
+    left = ecods.Translation((-2, 0, 0))
+    assert ecods.cast(low, ecods.Straight(at(2)), high, left).time == 0.5 == ecods.cast(high, left, low, ecods.Straight(at(2))).time
+    up = (0, 0, 0.25)
+    beside = ecods.cast(POINT, HALF, TARGET, ecods.Straight(at(*up)))
+    assert beside == ecods.cast(POINT, HALF, TARGET, ecods.Translation(up))
+    assert ecods.cast(CUBE, HALF, CUBE.at(at(9)), ecods.Straight(at(8))) is None
 
 
 def test_what_is_no_motion():

@@ -19,15 +19,6 @@ using hard::coin;
 using hard::full;
 using hard::integer;
 
-// Small integers that are a turn.
-Quaternion small_quaternion(Random& random, int size) {
-    for (;;) {
-        const Quaternion q{double(integer(random, -size, size)), double(integer(random, -size, size)),
-                           double(integer(random, -size, size)), double(integer(random, -size, size))};
-        if (q.w > 0 || q.x != 0 || q.y != 0 || q.z != 0) return q;
-    }
-}
-
 Quaternion unit_quaternion(Random& random) {
     const auto q = random.rotation();
     return {q.w(), q.x(), q.y(), q.z()};
@@ -323,22 +314,6 @@ constexpr Family<TurnCase> table[] = {
 
 Families<TurnCase> turn_families() {
     return table;
-}
-
-Turn turn_beside(Random& random, const TurnCase& made) {
-    const auto& [w, x, y, z] = made.turn.q;
-    // Pivots are as far as the bodies are large.
-    double size = 0;
-    for (const Vec3& v : made.a->vertices()) size = std::max(size, (made.pose_a.R * v).cwiseAbs().maxCoeff());
-    const double unit = size > 0 && size < 0x1p1000 ? std::ldexp(1.0, std::ilogb(size)) : 1;
-    const auto point = [&](int most) { return Vec3(unit * lattice_point(random, most)); };
-    const Turn &turn = made.turn, back{{w, -x, -y, -z}, turn.pivot_from, turn.pivot_to};
-    const Vec3 by = point(2), pivot = point(3), to = coin(random) ? pivot : Vec3(pivot + point(2));
-    const std::array<Turn, 5> turns{Turn{{double(integer(random, 1, 3)), 0, 0, 0}, turn.pivot_from, turn.pivot_from},
-                                    turn, back, Turn{turn.q, turn.pivot_from + by, turn.pivot_to + by},
-                                    Turn{back.q, turn.pivot_from + by, turn.pivot_to + by}};
-    const std::size_t kind = random.below(7);
-    return kind < turns.size() ? turns[kind] : Turn{small_quaternion(random, 2), pivot, to};
 }
 
 }  // namespace ecods::scenes

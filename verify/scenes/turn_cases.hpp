@@ -21,7 +21,14 @@ struct TurnCase {
 
 Families<TurnCase> turn_families();
 
+// Small integers that are a turn.
+Quaternion small_quaternion(Random& random, int size);
+
 // A turn of b, for a case in which b is at rest: no turn, that of a, its reverse, the same about another axis, or any.
 Turn turn_beside(Random& random, const TurnCase& made);
+
+// A pose to which b goes straight, for a case in which b is at rest: elsewhere only, or also mirrored at the origin or
+// on a plane, turned, flat, larger, smaller, or a point.
+Pose pose_beside(Random& random, const TurnCase& made);
 
 }  // namespace ecods::scenes

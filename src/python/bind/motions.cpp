@@ -35,7 +35,7 @@ void bind_motions(py::module_& m) {
         py::arg("motion_of_a"), py::arg("b"), py::arg("motion_of_b"), py::arg("max_time") = 1.0,
         py::arg("witness") = py::none(),
         "FirstContact of two bodies that each move by a Translation, a Straight or a Turn; None if there is none up to "
-        "max_time. Exact. Raises NotSupported if one is Straight and the other one is not, InvalidArgument.");
+        "max_time. Exact, for any two of these. Raises InvalidArgument; NotSupported where cast() of a turn does.");
 }
 
 }  // namespace ecods::python

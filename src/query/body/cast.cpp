@@ -6,6 +6,7 @@
 #include "ecods/turn.hpp"
 #include "ecods/way.hpp"
 #include "geometry/find_invalid.hpp"
+#include "query/body/cast_straight.hpp"
 #include "query/body/contained.hpp"
 #include "query/cast/cast_until.hpp"
 #include "query/intersection/asking.hpp"
@@ -89,6 +90,34 @@ std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Turning<Mesh
                                                  Turning<MeshShape>(*y.what, b.pose, b.turn), latest, asking.memory(),
                                                  asking.witness());
                            });
+}
+
+std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Moving<MeshShape>& b, double max_time,
+                                 const Ask& ask) {
+    const double latest = require_time(max_time);
+    Asking asking(ask);
+    const auto cast = [&](const MeshShape& x, const MeshShape& y) {
+        return cast_until(Turning<MeshShape>(x, a.pose, a.turn), Moving<MeshShape>(y, b.from, b.to), latest,
+                          asking.memory(), asking.witness());
+    };
+    if (are_surfaces(*a.what, *b.what)) return cast(*a.what, *b.what);
+    return cast_boundaries({{*a.what, a.pose}, {*b.what, b.from}}, asking.memory(),
+                           [&](const auto& x, const auto& y) { return cast(*x.what, *y.what); });
+}
+
+std::optional<FirstContact> cast(const StraightMove& a, const StraightMove& b, double max_time, const Ask& ask) {
+    const double latest = require_time(max_time);
+    Asking asking(ask);
+    const auto move_of = [](const StraightMove& move, const MeshShape& shape) {
+        return StraightMove{{shape, move.body.from, move.body.to}, move.translation};
+    };
+    const auto cast = [&](const MeshShape& x, const MeshShape& y) {
+        return cast_until(move_of(a, x), move_of(b, y), latest, asking.memory(), asking.witness());
+    };
+    const MeshShape &of_a = *a.body.what, &of_b = *b.body.what;
+    if (are_surfaces(of_a, of_b)) return cast(of_a, of_b);
+    return cast_boundaries({{of_a, a.body.from}, {of_b, b.body.from}}, asking.memory(),
+                           [&](const auto& x, const auto& y) { return cast(*x.what, *y.what); });
 }
 
 std::optional<WayContact> cast(const Way<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {

@@ -1,23 +1,9 @@
-// MotionKinds knows for which kinds of motions a cast of two bodies exists (cast_any_motion.cpp).
+// straight_end() and turn_of() say of which kind a motion is.
 #pragma once
-
-#include <cstddef>
 
 #include "ecods/motion.hpp"
 
 namespace ecods {
-
-class MotionKinds {
-  public:
-    // Adds the motion of a body that is at the pose `start` at time 0. A body at rest does not count.
-    void add(const Pose& start, const Motion& motion);
-
-    // Throws NotSupported if there is no cast of some two of the bodies added.
-    void require_casts() const;
-
-  private:
-    std::size_t turn_count_ = 0, translation_count_ = 0, straight_count_ = 0;
-};
 
 // Returns the last pose of a body that is at rest (&start) or goes straight to a pose; null for other motions.
 // Both arguments must outlive the result.

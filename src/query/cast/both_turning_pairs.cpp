@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/arithmetic.hpp"
 #include "exact/measure/contact/both_turning_triangles.hpp"
+#include "query/cast/turn_leg.hpp"
 #include "query/cast/turn_vector.hpp"
 #include "query/shape/mesh_tree.hpp"
 
@@ -13,23 +13,16 @@ void BothTurningPairs::bind(const Turning<MeshShape>& a, const Turning<MeshShape
     a_ = &a;
     b_ = &b;
     counts_ = &counts;
-    const std::array<exact::BodyRef, 2> bodies{{{&a.what->mesh(), &MeshShapeAccess::tree(*a.what).extent, &a.pose},
-                                                {&b.what->mesh(), &MeshShapeAccess::tree(*b.what).extent, &b.pose}}};
+    const exact::MeshExtent &extent_a = MeshShapeAccess::tree(*a.what).extent,
+                            &extent_b = MeshShapeAccess::tree(*b.what).extent;
+    const std::array<exact::BodyRef, 2> bodies{
+        {{&a.what->mesh(), &extent_a, &a.pose}, {&b.what->mesh(), &extent_b, &b.pose}}};
     frame_.bind(bodies);
     for (std::size_t side = 0; side < 2; ++side) {
         const Turn& turn = body(side).turn;
         angles_[side] = exact::TurnAngles(turn.q.w, vector_of(turn.q));
-        exact::TurnOfPoints& points = turns_[side];
-        points.angles = &angles_[side];
-        double way_size = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<Eigen::Index>(k);
-            points.pivot[k] = turn.pivot_from[axis] - a.pose.t[axis];
-            points.glide[k] = turn.pivot_to[axis] - turn.pivot_from[axis];
-            way_size += std::abs(points.glide[k]);
-        }
-        points.pivot_error = 2 * two_u * exact::largest(points.pivot) + 0x1p-1000;
-        points.glide_error = 2 * two_u * way_size + 0x1p-1000;
+        // Both pivots are relative to the translation of a's pose.
+        turns_[side] = round_leg(leg_of(a.pose, turn), extent_a, b.pose).turn_of_points(angles_[side]);
     }
     integers_.reset();
     known_.clear();

@@ -3,8 +3,8 @@
 #include "exact/point/vectors.hpp"
 #include "geometry/find_invalid.hpp"
 #include "geometry/same_bits.hpp"
-#include "query/cast/both_turning_question.hpp"
 #include "query/cast/cast_until.hpp"
+#include "query/cast/one_time_memory.hpp"
 #include "query/cast/search_pieces.hpp"
 #include "query/cast/turn_vector.hpp"
 #include "query/intersection/query_memory.hpp"
@@ -54,7 +54,7 @@ std::optional<FirstContact> contact_as_one(const Posed<MeshShape>& a, const Pose
 std::optional<FirstContact> search_pieces(const Turning<MeshShape>& a, const Turning<MeshShape>& b, double latest,
                                           QueryMemory& memory, PairWitness& witness) {
     using Search = PieceSearch<BothTurningQuestion>;
-    auto& working = QueryMemoryAccess::part<Search::Working>(memory, &QueryMemoryAccess::State::both_turning);
+    Search::Working& working = OneTimeMemory::of(memory).both_turn;
     working.question.motion().bind(a, b, QueryMemoryAccess::state(memory).counts.casts);
     const Posed<MeshShape> start_a(*a.what, a.pose), start_b(*b.what, b.pose);
     if (move_as_one(a.turn, b.turn)) return contact_as_one(start_a, start_b, memory, witness);

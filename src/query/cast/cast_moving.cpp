@@ -63,6 +63,12 @@ class StraightSearch {
     std::optional<float> first_;  // lower bound of the time at which the boxes meet
 };
 
+std::optional<FirstContact> search_moves(const StraightMove& a, const StraightMove& b, double latest,
+                                         QueryMemory& memory, PairWitness& witness) {
+    const Pose end_a = a.rounded_end(), end_b = b.rounded_end();
+    return cast_until(MeshAtEnds(a, end_a), MeshAtEnds(b, end_b), latest, memory, witness);
+}
+
 }  // namespace
 
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double latest,
@@ -75,6 +81,20 @@ std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<
         return as_part(memory, [&] { return cast_until(units.of(a), units.of(b), latest, memory, witness); });
     }
     return search.run();
+}
+
+std::optional<FirstContact> cast_until(const StraightMove& a, const StraightMove& b, double latest, QueryMemory& memory,
+                                       PairWitness& witness) {
+    static const Vec3 rest = Vec3::Zero();
+    const Vec3 &way_a = a.translation ? *a.translation : rest, &way_b = b.translation ? *b.translation : rest;
+    const OtherUnits units(a.body, b.body, way_a, way_b);
+    if (!units.are_better()) return search_moves(a, b, latest, memory, witness);
+    const auto scaled = [&](const StraightMove& move) {
+        return StraightMove{units.of(move.body),
+                            move.translation ? std::optional(units.of(*move.translation)) : std::nullopt};
+    };
+    ++QueryMemoryAccess::state(memory).counts.queries;
+    return as_part(memory, [&] { return search_moves(scaled(a), scaled(b), latest, memory, witness); });
 }
 
 std::optional<FirstContact> cast_until(const MeshAtEnds& a, const MeshAtEnds& b, double latest, QueryMemory& memory,

@@ -10,6 +10,7 @@
 namespace ecods {
 
 struct MeshAtEnds;
+struct StraightMove;
 
 // Return the first contact if its real time is at most `latest`, which must be from 0 to 1; otherwise nullopt. The
 // contact is the one that cast() returns, so its rounded time is at most `latest`, too. Cost: a few tenths of a
@@ -19,11 +20,15 @@ std::optional<FirstContact> cast_until(const Posed<MeshShape>& a, const Vec3& mo
                                        double latest, QueryMemory& memory, PairWitness& witness);
 std::optional<FirstContact> cast_until(const Moving<MeshShape>& a, const Moving<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness);
+std::optional<FirstContact> cast_until(const StraightMove& a, const StraightMove& b, double latest, QueryMemory& memory,
+                                       PairWitness& witness);
 std::optional<FirstContact> cast_until(const MeshAtEnds& a, const MeshAtEnds& b, double latest, QueryMemory& memory,
                                        PairWitness& witness);
 std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Vec3& motion_of_b, const Posed<MeshShape>& b,
                                        double latest, QueryMemory& memory, PairWitness& witness);
 std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Turning<MeshShape>& b, double latest,
+                                       QueryMemory& memory, PairWitness& witness);
+std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Moving<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness);
 
 // Returns the first contact on the way, whose nodes must be valid.

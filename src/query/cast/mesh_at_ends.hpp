@@ -2,11 +2,13 @@
 // its place at time 1 at constant speed.
 #pragma once
 
+#include "base/arithmetic.hpp"
 #include "bvh/tree/moving_tree.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/shape.hpp"
 #include "exact/point/frame.hpp"
 #include "geometry/same_bits.hpp"
+#include "query/cast/straight_move.hpp"
 #include "query/shape/mesh_body.hpp"
 
 namespace ecods {
@@ -18,6 +20,14 @@ struct MeshAtEnds {
           end{&start.mesh(), &start.tree.extent, &rigid.to},
           trees(start.tree.boxes),
           is_at_rest(same_bits(rigid.from, rigid.to)) {}
+    // Takes a body that goes to a pose or is translated; `rounded_end` is the move's.
+    MeshAtEnds(const StraightMove& move, const Pose& rounded_end) : MeshAtEnds(move.body) {
+        end.pose = &rounded_end;
+        if (!move.translation) return;
+        translation = &*move.translation;
+        end_off = two_u * rounded_end.t.cwiseAbs().maxCoeff() + 0x1p-1000;
+        is_at_rest = false;
+    }
     // Takes a mesh that deforms. `at_end` must have the same triangles, with other vertices; `tree_at_end` must have
     // the same structure as the tree at the start.
     MeshAtEnds(const Posed<MeshShape>& at_start, const exact::BodyRef& at_end, const MeshBvh& tree_at_end)
@@ -26,8 +36,15 @@ struct MeshAtEnds {
     MeshBody start;
     exact::BodyRef end;
     TreeAtEnds trees;
-    // `is_at_rest` is true if the poses at both ends are equal, and false for a mesh that deforms. The bits of the
-    // poses are compared, because a processor that flushes subnormal numbers compares two different ones as equal.
+    // `translation` is null for a body that goes to its pose at the end. A translated body goes from its start by this
+    // vector, and is off from its pose at the end by at most `end_off` on each axis, since the sum is rounded once, or
+    // lost below 2^-1022.
+    // Claim: verify/proofs/turn_pieces.md
+    const Vec3* translation = nullptr;
+    double end_off = 0;
+    // `is_at_rest` is true if the body has equal poses at both ends, and false for a translated body and for a mesh
+    // that deforms. The bits of the poses are compared, because a processor that flushes subnormal numbers compares two
+    // different ones as equal.
     bool is_at_rest = false;
 };
 

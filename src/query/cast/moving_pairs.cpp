@@ -8,6 +8,7 @@
 #include "base/double_key.hpp"
 #include "base/next.hpp"
 #include "exact/measure/contact/moving_triangles.hpp"
+#include "exact/measure/contact/turning_triangles.hpp"
 
 namespace ecods {
 namespace {
@@ -36,12 +37,31 @@ exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
     return result;
 }
 
+// The corners at both ends of bodies of which some are translated: out of all corners at the start and at the pose at
+// the end, and the world's origin and both translations.
+template <class Kernel>
+std::array<exact::LongVector3, 12> translated_corners(const exact::IntegerPoints<Kernel, 15>& points,
+                                                      const std::array<const Vec3*, 2>& translations) {
+    const auto at = [&](std::size_t i, std::size_t k) { return exact::Integer(points.at[i][k]); };
+    std::array<exact::LongVector3, 12> corners;
+    for (std::size_t i = 0; i < 12; ++i) {
+        const std::size_t side = i / 3 % 2;
+        const bool is_translated = i >= 6 && translations[side] != nullptr;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[i][k] = is_translated ? at(i - 6, k) + (at(13 + side, k) - at(12, k)) : at(i, k);
+        }
+    }
+    return corners;
+}
+
 }  // namespace
 
 void MovingPairs::bind(const MeshAtEnds& a, const MeshAtEnds& b, CastCounts& counts) {
     counts_ = &counts;
     const std::array<exact::BodyRef, 4> bodies{a.start.ref(), b.start.ref(), a.end, b.end};
     frame_.bind(bodies);
+    translations_ = {a.translation, b.translation};
+    ends_off_ = {a.end_off, b.end_off};
     known_.clear();
 }
 
@@ -60,7 +80,11 @@ exact::MovingPoints MovingPairs::points_of(const TrianglePair& triangles) {
     std::copy_n(rounded.begin(), 6, points.start.begin());
     std::copy_n(rounded.begin() + 6, 6, points.end.begin());
     points.start_error = std::max(frame_.delta(0), frame_.delta(1));
-    points.end_error = std::max(frame_.delta(2), frame_.delta(3));
+    const auto error_at_end = [&](std::size_t side) {
+        const double delta = frame_.delta(2 + side), off = ends_off_[side];
+        return off > 0 ? (delta + off) * (1 + 2 * two_u) : delta;
+    };
+    points.end_error = std::max(error_at_end(0), error_at_end(1));
     return points;
 }
 
@@ -93,9 +117,31 @@ std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::Movi
     return exact::bound_first_meeting(points, from, to, effort);
 }
 
+// A pose at the end that is rounded gives no integers: in its place stands that at the start.
+template <class Function>
+auto MovingPairs::ask_translated(const TrianglePair& triangles, Function& ask) {
+    static const Pose world;
+    static const Vec3 origin = Vec3::Zero();
+    std::array<exact::VertexRef, 12> corners = corners_of(triangles);
+    for (std::size_t i = 6; i < 12; ++i) {
+        if (translations_[i / 3 % 2] != nullptr) corners[i].body -= 2;
+    }
+    exact::PosedPoints<15> points;
+    std::ranges::copy(frame_.posed(corners), points.begin());
+    points[12] = {&world, &origin};
+    for (std::size_t side = 0; side < 2; ++side) {
+        points[13 + side] = {&world, translations_[side] != nullptr ? translations_[side] : &origin};
+    }
+    const auto exact_corners =
+        exact::with_integers(points, [&](const auto& integers) { return translated_corners(integers, translations_); });
+    exact::MovingTriangles moving(exact_corners);
+    return ask(moving);
+}
+
 template <class Function>
 auto MovingPairs::ask_exactly(const TrianglePair& triangles, Function&& ask) {
     ++counts_->exact;
+    if (translations_[0] != nullptr || translations_[1] != nullptr) return ask_translated(triangles, ask);
     return exact::with_integers(frame_.posed(corners_of(triangles)), [&](const auto& integers) {
         exact::MovingTriangles moving(integers);
         return ask(moving);

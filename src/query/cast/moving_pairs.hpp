@@ -33,13 +33,17 @@ class MovingPairs {
     exact::MovingPoints points_of(const TrianglePair& triangles);
     template <class Function>
     auto ask_exactly(const TrianglePair& triangles, Function&& ask);
+    template <class Function>
+    auto ask_translated(const TrianglePair& triangles, Function& ask);
 
     std::optional<exact::TimeSpan> bound_at_beginning(const exact::MovingPoints& points, double from, double to,
                                                       exact::Effort effort);
     std::array<exact::VertexRef, 12> corners_of(const TrianglePair& triangles) const;  // at the start, then at the end
 
     CastCounts* counts_ = nullptr;
-    exact::Frame frame_;  // bodies 0 and 1: a and b at the start; 2 and 3: a and b at the end
+    exact::Frame frame_;                         // bodies 0 and 1: a and b at the start; 2 and 3: a and b at the end
+    std::array<const Vec3*, 2> translations_{};  // MeshAtEnds has them
+    std::array<double, 2> ends_off_{};
     KnownMeetings known_;
 };
 

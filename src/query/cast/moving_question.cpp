@@ -1,5 +1,7 @@
 #include "query/cast/moving_question.hpp"
 
+#include "base/arithmetic.hpp"
+
 namespace ecods {
 
 namespace {
@@ -29,7 +31,11 @@ std::optional<float> first_of_roots(const MotionAxes& axes, const TreeAtEnds& a,
 void StraightMotion::bind_boxes(const MeshAtEnds& a, const MeshAtEnds& b) {
     const Pose &from_a = a.start.pose, &to_a = *a.end.pose, &from_b = b.start.pose, &to_b = *b.end.pose;
     trees_ = {a.trees, b.trees};
-    axes_.bind({a.trees, from_a.R, to_a.R}, {b.trees, from_b.R, to_b.R}, from_b.t - from_a.t, to_b.t - to_a.t);
+    const MovingTree tree_a(a.trees, from_a.R, to_a.R), tree_b(b.trees, from_b.R, to_b.R);
+    const Vec3 d_from = from_b.t - from_a.t, d_to = to_b.t - to_a.t;
+    const double off = a.end_off + b.end_off;  // on each axis, so points are off by less than twice that
+    if (off > 0) return axes_.bind(tree_a, tree_b, d_from, d_to, {.everywhere = 2 * off * (1 + 16 * two_u)});
+    axes_.bind(tree_a, tree_b, d_from, d_to);
 }
 
 std::optional<float> StraightBoxes::first_of_boxes() {

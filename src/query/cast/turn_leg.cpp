@@ -111,6 +111,10 @@ Pose pose_less(const TurnLeg& leg, double time, const Pose& other) {
     return result;
 }
 
+exact::TurnOfPoints RoundedLeg::turn_of_points(const exact::TurnAngles& angles) const {
+    return {pivot, glide, 2 * two_u * exact::largest(pivot) + 0x1p-1000, 2 * two_u * way_size + 0x1p-1000, &angles};
+}
+
 RoundedLeg round_beginning(const TurnLeg& leg, const exact::MeshExtent& of_a, const Pose& b) {
     RoundedLeg result;
     result.a = pose_less(leg, 0, {Mat3::Zero(), b.t});

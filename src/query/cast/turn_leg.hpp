@@ -7,6 +7,7 @@
 
 #include "ecods/turn.hpp"
 #include "ecods/way.hpp"
+#include "exact/measure/contact/turning_points.hpp"
 #include "exact/point/mesh_extent.hpp"
 #include "exact/point/point.hpp"
 #include "exact/point/posed_points.hpp"
@@ -59,6 +60,9 @@ struct RoundedLeg {
     Quaternion q;
     exact::Point pivot{}, glide{};
     double way_size = 0;  // sum of the magnitudes of the pivot's way and of the other body's motion
+
+    // Returns the turn of rounded corners. `angles` must outlive the result.
+    exact::TurnOfPoints turn_of_points(const exact::TurnAngles& angles) const;
 };
 RoundedLeg round_leg(const TurnLeg& leg, const exact::MeshExtent& of_a, const Pose& b);
 // Returns a RoundedLeg in which only `a`, `b` and `off` are set.

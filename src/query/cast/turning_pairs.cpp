@@ -29,11 +29,9 @@ std::array<exact::VertexRef, 6> TurningPairs::corners_of(const TrianglePair& tri
 }
 
 exact::TurningPoints TurningPairs::points_of(const TrianglePair& triangles) {
-    const RoundedLeg& leg = rounded_;
-    const double pivot_error = 2 * two_u * exact::largest(leg.pivot) + 0x1p-1000;
     return {frame_.rounded(corners_of(triangles)),
-            std::max(frame_.delta(0) + leg.off, frame_.delta(1)) * (1 + 2 * two_u),
-            {leg.pivot, leg.glide, pivot_error, 2 * two_u * leg.way_size + 0x1p-1000, &angles_}};
+            std::max(frame_.delta(0) + rounded_.off, frame_.delta(1)) * (1 + 2 * two_u),
+            rounded_.turn_of_points(angles_)};
 }
 
 std::optional<exact::TimeSpan> TurningPairs::bound(const TrianglePair& triangles, double from, double to,

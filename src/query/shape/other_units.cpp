@@ -77,12 +77,15 @@ double size_of(const MeshShape& shape, const Pose& pose) {
 
 }  // namespace
 
-OtherUnits::OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b) {
+OtherUnits::OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b)
+    : OtherUnits(a, b, Vec3::Zero(), Vec3::Zero()) {}
+
+OtherUnits::OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b, const Vec3& way_a, const Vec3& way_b) {
     const double size = std::max(std::max(size_of(*a.what, a.from), size_of(*a.what, a.to)),
                                  std::max(size_of(*b.what, b.from), size_of(*b.what, b.to)));
     if (size > least && size < most) [[likely]]
         return;
-    choose({Body{a.what, {&a.from, &a.to}}, Body{b.what, {&b.from, &b.to}}}, {});
+    choose({Body{a.what, {&a.from, &a.to}}, Body{b.what, {&b.from, &b.to}}}, {&way_a, &way_b});
 }
 
 OtherUnits::OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion) {
@@ -106,6 +109,13 @@ OtherUnits::OtherUnits(const Turning<MeshShape>& a, const Turning<MeshShape>& b)
         return;
     choose({Body{a.what, {&a.pose, &a.pose}}, Body{b.what, {&b.pose, &b.pose}}},
            {&a.turn.pivot_from, &a.turn.pivot_to, &b.turn.pivot_from, &b.turn.pivot_to});
+}
+
+OtherUnits::OtherUnits(const Turning<MeshShape>& a, const Moving<MeshShape>& b) {
+    const double size = std::max({size_of(*a.what, a.pose), size_of(*b.what, b.from), size_of(*b.what, b.to)});
+    if (size > least && size < most) [[likely]]
+        return;
+    choose({Body{a.what, {&a.pose, &a.pose}}, Body{b.what, {&b.from, &b.to}}}, {&a.turn.pivot_from, &a.turn.pivot_to});
 }
 
 OtherUnits::OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, std::span<const Vec3> vectors)

@@ -21,12 +21,14 @@ namespace ecods {
 
 class OtherUnits {
   public:
-    // Chooses units for two bodies at all the given poses, and for a vector by which one of them is moved, or the pivot
-    // of its turn. Cost: some tens of nanoseconds.
+    // Chooses units for two bodies at all the given poses, and for vectors by which they are moved, or the pivots of
+    // their turns. Cost: some tens of nanoseconds.
     OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b);
+    OtherUnits(const Moving<MeshShape>& a, const Moving<MeshShape>& b, const Vec3& way_a, const Vec3& way_b);
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Vec3& motion = Vec3::Zero());
     OtherUnits(const Turning<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b);
     OtherUnits(const Turning<MeshShape>& a, const Turning<MeshShape>& b);
+    OtherUnits(const Turning<MeshShape>& a, const Moving<MeshShape>& b);
     // Chooses units for two bodies and any number of vectors in the world.
     OtherUnits(const Posed<MeshShape>& a, const Posed<MeshShape>& b, std::span<const Vec3> vectors);
 

@@ -246,7 +246,7 @@ const std::array calls = {
                   const std::vector<BodyId> bodies = {s.ids[30], s.ids[0], s.ids[1], s.ids[9], s.ids[0]};
                   const Translation by{Vec3(0.5, 0, 0)};
                   const Turn turn{{1, 0, 0, 0.03125}, Vec3(0, 20, 0), Vec3(0, 20, 0)};
-                  const std::vector<Motion> motions = {by, by, turn, Translation(), by};
+                  const std::vector<Motion> motions = {by, by, turn, Straight{at(10)}, by};
                   s.answer = text_of(s.world.meetings(bodies, motions, s.memory));
               },
               apart},

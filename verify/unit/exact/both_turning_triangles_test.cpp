@@ -12,84 +12,30 @@
 #include "exact/measure/contact/first_meeting.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
 #include "scenes/random.hpp"
-#include "unit/exact/rational_place.hpp"
+#include "unit/exact/rational_motion.hpp"
 
 namespace ecods::exact::both_turning_triangles_test {
 namespace {
 
+using turns_test::any_motion;
 using turns_test::cross_of;
 using turns_test::dot_of;
+using turns_test::Motion;
+using turns_test::OneTurn;
 using turns_test::operator-;
 using turns_test::Place;
-using turns_test::place_of;
 using turns_test::Rational;
-
-// A turn as its header defines it: q is (w, v), and the pivot goes from one point to another.
-struct OneTurn {
-    double w;
-    Vec3 v, from, to;
-
-    Place at(const Vec3& start, const Rational& s) const {
-        const Place c = place_of(from), way = place_of(to) - c, g = place_of(start) - c;
-        const Rational a = 1 + s * (Rational(w) - 1);
-        const Place b = {s * v[0], s * v[1], s * v[2]}, once = cross_of(b, g);
-        const Rational norm = a * a + dot_of(b, b), beside = 2 * dot_of(b, g), of_g = a * a - dot_of(b, b);
-        Place x;
-        for (std::size_t k = 0; k < 3; ++k) {
-            x[k] = c[k] + s * way[k] + (of_g * g[k] + beside * b[k] + 2 * a * once[k]) / norm;
-        }
-        return x;
-    }
-};
-
-struct Motion {
-    std::array<Vec3, 6> corners;
-    std::array<OneTurn, 2> turns;
-
-    template <class Use>
-    auto with_triangles(Use&& use) const {
-        const Pose world;
-        PosedPoints<10> points;
-        for (std::size_t i = 0; i < 6; ++i) points[i] = {&world, &corners[i]};
-        for (std::size_t i = 0; i < 2; ++i) {
-            points[6 + 2 * i] = {&world, &turns[i].from};
-            points[7 + 2 * i] = {&world, &turns[i].to};
-        }
-        const TurnIntegers a(turns[0].w, turns[0].v), b(turns[1].w, turns[1].v);
-        return with_integers(points, [&](const auto& integers) {
-            BothTurningTriangles triangles(integers, a, b);
-            return use(triangles);
-        });
-    }
-};
-
-Motion any_motion(scenes::Random& random) {
-    const auto number = [&](std::uint32_t most) { return static_cast<double>(random.below(2 * most + 1)) - most; };
-    const auto vector = [&] { return Vec3(number(2), number(2), number(2)); };
-    Motion motion;
-    for (Vec3& corner : motion.corners) corner = vector();
-    for (OneTurn& turn : motion.turns) {
-        turn = {number(3) / 2, vector(), vector(), vector()};
-        if (turn.v.isZero()) turn.w = 1.5;
-        if (random.below(8) == 0) turn.v = Vec3(0, 0, 1);
-        if (random.below(3) == 0) turn.to = turn.from;
-    }
-    if (random.below(4) == 0) motion.turns[1] = motion.turns[0];
-    return motion;
-}
 
 TEST(BothTurningTriangles, SignsAreThoseOfRationalPlaces) {
     scenes::Random random(42);
-    int degree = 0;
-    for (int run = 0; run < 60; ++run) {
+    std::array<int, 2> degrees{};  // of both turns, and of a turn and a straight motion
+    for (int run = 0; run < 120; ++run) {
         const Motion motion = any_motion(random);
         motion.with_triangles([&](BothTurningTriangles& triangles) {
             for (int time = 0; time <= 8; ++time) {
                 const BinaryFraction s{Integer(std::int64_t{time}), 3};
-                std::array<Place, 6> x;
-                for (std::size_t i = 0; i < 6; ++i) {
-                    x[i] = motion.turns[i / 3].at(motion.corners[i], Rational(time) / 8);
-                }
+                const std::array<Place, 6> x = motion.at(Rational(time) / 8);
+                int& degree = degrees[motion.ends ? 1 : 0];
                 const auto expect = [&](const Quintic& p, const Rational& value) {
                     degree = std::max(degree, p.degree());
                     EXPECT_EQ(p.sign_at(s), sgn(value)) << run << ' ' << time;
@@ -117,7 +63,7 @@ TEST(BothTurningTriangles, SignsAreThoseOfRationalPlaces) {
             }
         });
     }
-    EXPECT_EQ(degree, 5);
+    EXPECT_EQ(degrees, (std::array{5, 5}));
 }
 
 // Turns of a face's corner add up to its normal, and those of an edge's ends differ by a cross product, as the decision
@@ -168,6 +114,14 @@ TEST(BothTurningTriangles, KnownMeetings) {
     const auto third = meeting_of({5, 0, 0}, forth, {2, 4, 0}, glide);
     ASSERT_TRUE(third);
     EXPECT_EQ(third->time, 1 / 3.0);
+    // The same by a straight motion; and to where it does not come in time.
+    const auto beside = [&](const Vec3& b, const Vec3& end) {
+        const Vec3 a(5, 0, 0);
+        const Motion motion{{a, a, a, b, b, b}, {forth, {}}, {{end, end, end}}};
+        return motion.with_triangles([](BothTurningTriangles& triangles) { return first_meeting(triangles); });
+    };
+    EXPECT_EQ(beside({2, 4, 0}, {5, 4, 0}).value().time, 1 / 3.0);
+    EXPECT_FALSE(beside({2, 4, 0}, {4, 4, 0}));
 }
 
 // In a piece of time the difference of two corners is within the margins of a straight motion at the same time, and no

@@ -135,7 +135,7 @@ TEST_P(WorldTurnAllTest, Meetings) {
             if (random.below(frame % 2 == 0 ? 10 : 2) != 0) continue;
             moved.push_back(body);
             const Translation by{random.below(3) == 0 ? Vec3(0, 0, 0) : Vec3(0.25 * any_way())};
-            motions.push_back(are_straight ? Motion(Straight{any_pose()}) : by);
+            motions.push_back(are_straight || random.below(3) == 0 ? Motion(Straight{any_pose()}) : by);
         }
         if (!are_straight && !moved.empty()) motions.front() = any_turn(moved.front());
         const auto got = world.meetings(moved, motions);

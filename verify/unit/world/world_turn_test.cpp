@@ -139,7 +139,7 @@ TEST_P(WorldTurnTest, BadArgumentsAreRefused) {
     }
 }
 
-TEST_P(WorldTurnTest, MotionsWithoutACastAreRefusedByKind) {
+TEST_P(WorldTurnTest, AnyTwoMotionsMayMeetAndTestsAreAsked) {
     const BodyId a = world.create_body(cube, at(0)), b = world.create_body(cube, at(500)),
                  c = world.create_body(cube, at(900));
     const Translation up{{0, 0, 1}};
@@ -148,8 +148,10 @@ TEST_P(WorldTurnTest, MotionsWithoutACastAreRefusedByKind) {
         return world.meetings(std::vector{a, b}, std::vector{first, second}).size();
     };
     EXPECT_EQ(ask(half_turn, half_turn), 0u);
-    EXPECT_THROW(ask(half_turn, there), NotSupported);
-    EXPECT_THROW(ask(there, up), NotSupported);
+    EXPECT_EQ(ask(half_turn, there), 0u);
+    EXPECT_EQ(ask(there, up), 0u);
+    EXPECT_EQ(ask(Straight{at(300)}, Translation{{-300, 0, 0}}), 1u);
+    EXPECT_EQ(ask(Turn{{1, 0, 0, 1}, {500, 0, 0}, {500, 0, 0}}, Straight{at(500, -500)}), 1u) << "half-way";
     EXPECT_EQ(ask(half_turn, up), 0u);
     EXPECT_EQ(ask(up, up), 0u);
     EXPECT_EQ(ask(half_turn, Straight{at(500)}), 0u) << "which rests";
@@ -178,6 +180,7 @@ TEST_P(WorldTurnTest, MotionsWithoutACastAreRefusedByKind) {
     refuse([&] { std::ignore = world.cast(a, half_turn); });
     refuse([&] { std::ignore = world.cast(d, half_turn); });
     refuse([&] { ask(half_turn, up); });
+    refuse([&] { ask(half_turn, there); });
     EXPECT_EQ(ask(there, Straight{at(600)}), 0u);
 }
 

@@ -53,6 +53,19 @@ void BothTurningTriangles::set(std::size_t which, const std::array<LongVector3, 
     side.offset = dot(side.normal, place) + side.norm * Quintic(dot(n, minus(corners[0], pivot)), {});
 }
 
+void BothTurningTriangles::set_straight(std::size_t which, const std::array<LongVector3, 3>& from,
+                                        const std::array<LongVector3, 3>& to) {
+    Side& side = sides_[which];
+    side.norm = Quintic(Integer(std::int64_t{1}), {});
+    for (std::size_t i = 0; i < 3; ++i) side.corner[i] = linear(from[i], minus(to[i], from[i]));
+    for (std::size_t i = 0; i < 3; ++i) {
+        side.edge[i] = minus(side.corner[next_corner(i)], side.corner[i]);
+        side.moment[i] = cross(side.edge[i], side.corner[i]);
+    }
+    side.normal = cross(side.edge[0], side.edge[1]);
+    side.offset = dot(side.normal, side.corner[0]);
+}
+
 Quintic BothTurningTriangles::difference(std::size_t i, std::size_t j, std::size_t axis) const {
     return sides_[1].norm * sides_[0].corner[i][axis] - sides_[0].norm * sides_[1].corner[j][axis];
 }

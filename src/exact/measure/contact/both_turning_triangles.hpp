@@ -1,5 +1,5 @@
 // BothTurningTriangles computes the relative position of two triangles that turn, each by a turn of its own, as
-// polynomials in time.
+// polynomials in time; or of one that turns and one whose corners move straight.
 //
 // Names are those of turning_triangles.hpp: at time s a point p of a triangle is at L + Q g / N, with g = p - c, the
 // pivot L = c + s m and the norm N, which is positive from time 0 to 1. Rotations keep dot products and turn cross
@@ -14,6 +14,21 @@
 //     volume of a corner and a face    F' . A - N D'
 //     volume of two edges              E . M' + E' . M
 //     turn of a corner about an edge   E' x A - N M'
+//
+// Of a triangle whose corners go straight, A is of degree 1, and N = 1: E = A_j - A_i is of degree 1, M = E x A and the
+// normal F = E_0 x E_1 of degree 2, and D = F . A of degree 3. Beside a turn, of which A, M and D are of degree 3, N, E
+// and F of degree 2, the same formulas then give
+//     difference of corners                            degree 3
+//     volume of a straight corner and a turning face   degree 3
+//     volume of a turning corner and a straight face   degree 5
+//     volume of two edges                              degree 4
+//     turn of a corner about an edge                   degree 3 if the edge turns, 4 if the corner does
+//
+// Width. Let coordinates be at most 2^n, and 1 and all parts of the quaternion at most 2^m, in their units.
+// Coefficients are then at most: of N 2^(2m + 3), and of a turned vector of at most 2^k, N g + ..., 2^(2m + k + 5). So,
+// beside a straight triangle: of A' 2^(2m + n + 6), E' 2^(2m + n + 6), M' 2^(2m + 2n + 10), F' 2^(2m + 2n + 8) and D'
+// 2^(2m + 3n + 13); of E 2^(n + 2), M and F 2^(2n + 5), and D 2^(3n + 9). Sums of products of three coordinates and
+// three coefficients at most give 2^(2m + 3n + 16) for volumes. Integers have as many limbs as that takes.
 #pragma once
 
 #include <array>
@@ -32,12 +47,18 @@ class BothTurningTriangles final : public RelativePositionOf<Quintic> {
     template <class Kernel>
     BothTurningTriangles(const IntegerPoints<Kernel, 10>& points, const TurnIntegers& turn_a,
                          const TurnIntegers& turn_b) {
-        const auto at = [&](std::size_t i) -> LongVector3 {
-            const auto& p = points.at[i];
-            return {Integer(p[0]), Integer(p[1]), Integer(p[2])};
-        };
+        const auto at = [&](std::size_t i) { return long_vector(points.at[i]); };
         set(0, {at(0), at(1), at(2)}, at(6), at(7), turn_a);
         set(1, {at(3), at(4), at(5)}, at(8), at(9), turn_b);
+    }
+
+    // Takes the corners of both triangles at time 0; the corners at time 1 of the second one, which moves straight; and
+    // the places of the first one's pivot at time 0 and 1.
+    template <class Kernel>
+    BothTurningTriangles(const IntegerPoints<Kernel, 11>& points, const TurnIntegers& turn_a) {
+        const auto at = [&](std::size_t i) { return long_vector(points.at[i]); };
+        set(0, {at(0), at(1), at(2)}, at(9), at(10), turn_a);
+        set_straight(1, {at(3), at(4), at(5)}, {at(6), at(7), at(8)});
     }
 
     Quintic difference(std::size_t i, std::size_t j, std::size_t axis) const override;
@@ -54,8 +75,14 @@ class BothTurningTriangles final : public RelativePositionOf<Quintic> {
         Quintic offset;
     };
 
+    template <class Point>
+    static LongVector3 long_vector(const Point& p) {
+        return {Integer(p[0]), Integer(p[1]), Integer(p[2])};
+    }
+
     void set(std::size_t side, const std::array<LongVector3, 3>& corners, const LongVector3& pivot,
              const LongVector3& pivot_to, const TurnIntegers& turn);
+    void set_straight(std::size_t side, const std::array<LongVector3, 3>& from, const std::array<LongVector3, 3>& to);
 
     std::array<Side, 2> sides_;
     std::array<std::optional<Vector>, 18> turns_;

@@ -125,9 +125,11 @@ class Turned {
     TurningCorners corners_;
 };
 
-class BothTurned {
+// Two motions that are both compared with straight ones at the same time.
+template <class Corners>
+class AtOneTime {
   public:
-    using At = BothTurningCorners::At;
+    using At = typename Corners::At;
     struct Chord {
         Point margins;
 
@@ -138,7 +140,8 @@ class BothTurned {
         ECODS_ALWAYS_INLINE static double latest(double way) noexcept { return way; }
     };
 
-    ECODS_ALWAYS_INLINE explicit BothTurned(const BothTurningPoints& points) noexcept : corners_(points) {}
+    template <class MotionPoints>
+    ECODS_ALWAYS_INLINE explicit AtOneTime(const MotionPoints& points) noexcept : corners_(points) {}
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return corners_.is_bounded(); }
     ECODS_ALWAYS_INLINE At at(double s) const noexcept { return corners_.at(s); }
     ECODS_ALWAYS_INLINE Chord chord(const At& from, const At& to) const noexcept {
@@ -146,7 +149,7 @@ class BothTurned {
     }
 
   private:
-    BothTurningCorners corners_;
+    Corners corners_;
 };
 
 template <class Motion>
@@ -275,7 +278,14 @@ std::optional<TimeSpan> bound_first_meeting(const TurningPoints& points, double 
 
 std::optional<TimeSpan> bound_first_meeting(const BothTurningPoints& points, double from, double to,
                                             Effort effort) noexcept {
-    return dispatch<find_bound<BothTurned, BothTurningPoints>>(points, from, to, steps_of(effort, turn_step_max));
+    return dispatch<find_bound<AtOneTime<BothTurningCorners>, BothTurningPoints>>(points, from, to,
+                                                                                  steps_of(effort, turn_step_max));
+}
+
+std::optional<TimeSpan> bound_first_meeting(const TurnAndStraightPoints& points, double from, double to,
+                                            Effort effort) noexcept {
+    return dispatch<find_bound<AtOneTime<TurnAndStraightCorners>, TurnAndStraightPoints>>(
+        points, from, to, steps_of(effort, turn_step_max));
 }
 
 }  // namespace ecods::exact

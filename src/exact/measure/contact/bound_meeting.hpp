@@ -19,6 +19,7 @@
 
 #include "exact/measure/contact/both_turning_points.hpp"
 #include "exact/measure/contact/moving_points.hpp"
+#include "exact/measure/contact/turn_and_straight_points.hpp"
 #include "exact/measure/contact/turning_points.hpp"
 
 namespace ecods::exact {
@@ -33,6 +34,8 @@ std::optional<TimeSpan> bound_first_meeting(const MovingPoints& points, double f
 std::optional<TimeSpan> bound_first_meeting(const TurningPoints& points, double from, double to,
                                             Effort effort) noexcept;
 std::optional<TimeSpan> bound_first_meeting(const BothTurningPoints& points, double from, double to,
+                                            Effort effort) noexcept;
+std::optional<TimeSpan> bound_first_meeting(const TurnAndStraightPoints& points, double from, double to,
                                             Effort effort) noexcept;
 
 }  // namespace ecods::exact

@@ -20,6 +20,8 @@ class Sieve {
     }
     Sieve(const TurningPoints& points, const TimeSpan& time) noexcept : Sieve(TurningCorners(points), time) {}
     Sieve(const BothTurningPoints& points, const TimeSpan& time) noexcept : Sieve(BothTurningCorners(points), time) {}
+    Sieve(const TurnAndStraightPoints& points, const TimeSpan& time) noexcept
+        : Sieve(TurnAndStraightCorners(points), time) {}
 
     template <class Corners>
     Sieve(const Corners& corners, const TimeSpan& time) noexcept {
@@ -105,6 +107,10 @@ FeatureSet possible_features(const TurningPoints& points, const TimeSpan& time) 
 }
 
 FeatureSet possible_features(const BothTurningPoints& points, const TimeSpan& time) noexcept {
+    return Sieve(points, time).run();
+}
+
+FeatureSet possible_features(const TurnAndStraightPoints& points, const TimeSpan& time) noexcept {
     return Sieve(points, time).run();
 }
 

@@ -9,7 +9,8 @@
 // place of 2. The difference of the times and the products are off by some u' of themselves. The excess over 2 covers
 // all of this. Vectors are products of at most three differences of corners.
 // A corner that turns moves by at most the way that turning_points.hpp bounds, in any direction, and the other triangle
-// is at rest: the way is added once, 1.125 times. If both turn, the sum of their ways is.
+// is at rest: the way is added once, 1.125 times. If both turn, or one turns and one moves straight, the sum of their
+// ways is.
 // Claim: verify/proofs/lines_and_times.py
 #pragma once
 
@@ -18,6 +19,7 @@
 
 #include "exact/measure/contact/both_turning_points.hpp"
 #include "exact/measure/contact/moving_points.hpp"
+#include "exact/measure/contact/turn_and_straight_points.hpp"
 #include "exact/measure/contact/turning_points.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
 
@@ -54,5 +56,6 @@ inline constexpr std::array<CornerPairs, feature_pairs.size()> corners_of_featur
 FeatureSet possible_features(const MovingPoints& points, const TimeSpan& time) noexcept;
 FeatureSet possible_features(const TurningPoints& points, const TimeSpan& time) noexcept;
 FeatureSet possible_features(const BothTurningPoints& points, const TimeSpan& time) noexcept;
+FeatureSet possible_features(const TurnAndStraightPoints& points, const TimeSpan& time) noexcept;
 
 }  // namespace ecods::exact

@@ -50,7 +50,8 @@ struct TurningPoints {
 // TurningSide computes the places of three corners that turn.
 class TurningSide {
   public:
-    static constexpr double underflow = 0x1p-600;
+    // Lengths whose squares are lost to underflow are below this one.
+    static constexpr double underflow = 0x1p-500;
 
     // Takes the three corners in `points` from index `first` on. scale() must follow.
     ECODS_ALWAYS_INLINE TurningSide(const Points<6>& points, std::size_t first, const TurnOfPoints& turn) noexcept
@@ -66,6 +67,8 @@ class TurningSide {
     }
     ECODS_ALWAYS_INLINE double size() const noexcept { return std::max(largest(turn_.glide), arm_); }
     ECODS_ALWAYS_INLINE const TurnAngles& angles() const noexcept { return *turn_.angles; }
+    // True if the error bounds hold for the turn.
+    ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return angles().is_bounded(); }
 
     // Multiplies all lengths by a power of two. `start_error` is the error bound of the scaled corners.
     ECODS_ALWAYS_INLINE void scale(double scale, double start_error) noexcept {
@@ -82,7 +85,7 @@ class TurningSide {
         // The radius is an upper bound: the error of d1 is at most sqrt(3) (1.42 e_g + 7.2 u' G), which is less than
         // the added terms.
         radius_ = std::sqrt(radius) * (1 + 8 * two_u) + 4 * arm_error_ + 16 * two_u * arm_ + underflow;
-        way_ = std::sqrt(dot(glide_, glide_)) * (1 + 8 * two_u) + 2 * glide_error_;
+        way_ = std::sqrt(dot(glide_, glide_)) * (1 + 8 * two_u) + 2 * glide_error_ + underflow;
     }
 
     // Moves corners from their places at time 0 to those at a later time, and adds the errors of the turn to the
@@ -157,7 +160,7 @@ class StartCorners {
     ECODS_ALWAYS_INLINE double largest_given() const noexcept { return largest_given_; }
     ECODS_ALWAYS_INLINE double size() const noexcept { return largest(most_); }
 
-    // Scales these corners, and sides that turn, so that the largest length is about 1. Returns false if the error
+    // Scales these corners, and sides that move, so that the largest length is about 1. Returns false if the error
     // bounds do not hold.
     template <class... Side>
     ECODS_ALWAYS_INLINE bool scale(Side&... sides) noexcept {
@@ -168,7 +171,7 @@ class StartCorners {
         most_ = times(most_, scale);
         error_ *= scale;
         (sides.scale(scale, error_), ...);
-        return given < 0x1p1000 && size > 0x1p-400 && (sides.angles().is_bounded() && ...);
+        return given < 0x1p1000 && size > 0x1p-400 && (sides.is_bounded() && ...);
     }
 
     const Points<6>& points() const noexcept { return points_; }
