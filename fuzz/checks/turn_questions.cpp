@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "ecods/turn.hpp"
+#include "ecods/way.hpp"
 #include "fuzz/checks/truth.hpp"
 #include "fuzz/checks/way_bodies.hpp"
 #include "fuzz/checks/way_questions.hpp"
+#include "judge/along_questions.hpp"
 #include "judge/turn_truth.hpp"
 
 namespace ecods::fuzz {
@@ -26,6 +28,23 @@ Turn any_turn(const World& world, const std::vector<BodyId>& bodies, scenes::Ran
     return turn;
 }
 
+// Returns a way of a few legs, the first of which is the turn.
+Along any_way(const World& world, const std::vector<BodyId>& bodies, const Turn& turn, scenes::Random& random) {
+    Along along{{{{1, 0, 0, 0}, turn.pivot_from}, {turn.q, turn.pivot_to}}};
+    for (auto left = 1 + random.below(3); left > 0; --left) {
+        const Turn next = any_turn(world, bodies, random);
+        along.nodes.push_back({next.q, random.below(2) == 0 ? along.nodes.back().pivot : next.pivot_to});
+    }
+    return along;
+}
+
+bool are_soon_judged(const Posed<MeshShape>& a, const Posed<MeshShape>& b) {
+    constexpr std::size_t triangle_pairs_judged = 40;
+    const auto count = [](const Posed<MeshShape>& body) { return body.what->mesh().triangles().size(); };
+    const bool are_surfaces = a.what->form() == MeshForm::surface && b.what->form() == MeshForm::surface;
+    return are_surfaces && count(a) * count(b) <= triangle_pairs_judged;
+}
+
 // A translation; or, if `may_turn`, also a turn, or the straight way to the pose of some body. Nothing if it has no
 // end.
 std::optional<Motion> any_motion(const World& world, const std::vector<BodyId>& bodies, bool may_turn,
@@ -40,12 +59,9 @@ std::optional<Motion> any_motion(const World& world, const std::vector<BodyId>& 
 
 // A body that turns and one at rest, judged by the oracle, where it takes no longer than the worlds.
 void check_truth(const World& world, BodyId turning, const Turn& turn, BodyId other, Counters& counters) {
-    constexpr std::size_t triangle_pairs_judged = 40;
     const auto a = world.shape(turning), b = world.shape(other);
     const Posed<MeshShape> moved = mesh_at(*a, world.pose(turning)), rests = mesh_at(*b, world.pose(other));
-    const auto count = [](const Posed<MeshShape>& body) { return body.what->mesh().triangles().size(); };
-    const bool are_surfaces = moved.what->form() == MeshForm::surface && rests.what->form() == MeshForm::surface;
-    if (!are_surfaces || count(moved) * count(rests) > triangle_pairs_judged) return;
+    if (!are_soon_judged(moved, rests)) return;
     QueryMemory memory;
     PairWitness witness;
     const judge::TurnTruth truth({*moved.what, moved.pose, turn}, rests, 4);
@@ -53,6 +69,52 @@ void check_truth(const World& world, BodyId turning, const Turn& turn, BodyId ot
         throw CheckFailed("turn, by the oracle: " + wrong->question, wrong->expected, wrong->got);
     }
     ++counters["checked: turns, by the oracle"];
+}
+
+std::optional<BodyContact> first_met(const World& world, BodyId own, const Motion& motion, QueryMemory& memory) {
+    std::optional<BodyContact> met;
+    for (const BodyId body : world.bodies()) {
+        if (body == own || !may_meet(world, own, body)) continue;
+        const auto contact = cast(mesh_at(world, own), motion, mesh_at(world, body), Motion(), 1, memory);
+        if (contact && (!met || contact->time < met->contact.time)) met = BodyContact{body, *contact};
+    }
+    return met;
+}
+
+void require_met(const char* what, const std::optional<BodyContact>& got, const std::optional<BodyContact>& met) {
+    const bool is_same =
+        got.has_value() == met.has_value() &&
+        (!got || (numbers_of(got->body) == numbers_of(met->body) && got->contact.time == met->contact.time));
+    if (!is_same) throw CheckFailed(what, text(met), text(got));
+}
+
+// One body goes along a way while all others rest; judged by the oracle, too, where that takes no longer.
+void check_way(std::span<World* const> worlds, BodyId own, const Along& along, Counters& counters) {
+    const World& first = *worlds.front();
+    QueryMemory memory;
+    std::optional<BodyContact> met;
+    try {
+        validate(along.nodes);
+        met = first_met(first, own, along, memory);
+    } catch (const InvalidArgument&) {  // opposite nodes
+        return;
+    } catch (const NotSupported&) {
+        ++counters["ways that are not supported"];
+        return;
+    }
+    for (World* world : worlds) require_met("first body met on a way", world->cast(numbers_of(own), along), met);
+    ++counters["checked: ways of worlds"];
+    counters["checked: bodies met on ways"] += met.has_value();
+    const auto bodies = first.bodies();
+    const BodyId other = met ? met->body : bodies[bodies.front() == own ? 1 : 0];
+    const auto a = first.shape(own), b = first.shape(other);
+    const Posed<MeshShape> moved = mesh_at(*a, first.pose(own)), rests = mesh_at(*b, first.pose(other));
+    if (!are_soon_judged(moved, rests)) return;
+    const Way<MeshShape> way(*moved.what, moved.pose, along.nodes);
+    if (const auto wrong = judge::ask_about_along(way, rests, memory)) {
+        throw CheckFailed("way, by the oracle: " + wrong->question, wrong->expected, wrong->got);
+    }
+    ++counters["checked: ways, by the oracle"];
 }
 
 }  // namespace
@@ -102,11 +164,7 @@ void check_turns(std::span<World* const> worlds, std::uint32_t seed, Counters& c
         return;
     }
     for (World* world : worlds) {
-        const auto got = world->cast(numbers_of(own), turn);
-        const bool is_same =
-            got.has_value() == met.has_value() &&
-            (!got || (numbers_of(got->body) == numbers_of(met->body) && got->contact.time == met->contact.time));
-        if (!is_same) throw CheckFailed("first body that a turn meets", text(met), text(got));
+        require_met("first body that a turn meets", world->cast(numbers_of(own), turn), met);
     }
     require_meetings(worlds, expected, moved, motions);
     const BodyId other = met ? met->body : bodies[bodies.front() == own ? 1 : 0];
@@ -114,6 +172,7 @@ void check_turns(std::span<World* const> worlds, std::uint32_t seed, Counters& c
     ++counters["checked: turns of worlds"];
     counters["checked: bodies met by turns"] += met.has_value();
     counters["checked: pairs that meet on any way"] += expected.size();
+    if (may_turn && random.below(2) == 0) check_way(worlds, own, any_way(first, bodies, turn, random), counters);
 }
 
 }  // namespace ecods::fuzz

@@ -17,6 +17,8 @@ std::span<const CaseCampaign> case_campaigns() {
          "turns", run_turns},
         {"turn_samples", "posed meshes that turn, 1000 a run, at 64 times each and the doubles beside the first one",
          "turns", run_turn_samples},
+        {"ways", "posed meshes along ways made of turns, 104 a run, and in equal shares of the time", "ways", run_ways},
+        {"deforming", "meshes that deform beside bodies and each other, 120 a run", "deforming meshes", run_deforming},
         {"solids", "pairs of posed solids, 130 a run, every question about them", "solids", run_solids},
         {"polycubes", "sets of unit cells as posed solids, 1000 pairs a run", "solids", run_polycubes},
         {"placements", "pairs of polycubes in all positions: 19 runs of up to three cells, 105 of up to four", "solids",

@@ -58,6 +58,13 @@ void run_turns(std::uint32_t seed, Lie lie, CaseCounts& counts);
 // intersect before the first time; and where they do intersect, it is not later.
 void run_turn_samples(std::uint32_t seed, Lie lie, CaseCounts& counts);
 
+// Ways of several nodes made of turn_cases.hpp, by the oracle: leg and time, and the share of the whole time.
+void run_ways(std::uint32_t seed, Lie lie, CaseCounts& counts);
+
+// Meshes whose vertices go where bodies of cast_cases.hpp go, or to a point, a plane or each other's places; by the
+// oracle, beside a body that moves and beside another such mesh.
+void run_deforming(std::uint32_t seed, Lie lie, CaseCounts& counts);
+
 void run_convex(std::uint32_t seed, Lie lie, CaseCounts& counts);
 
 // Worlds of meshes, solids, convex solids, rounded bodies and half spaces that come, go, jump, and change shapes, radii

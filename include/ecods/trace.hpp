@@ -39,6 +39,7 @@
 //     cast_of 0123456789abcdef 1.0 translated M M M 0x1p+0            any motion; other ones are:
 //     cast_of 0123456789abcdef 1.0 straight R R R t R R R t R R R t 0x1p+0
 //     cast_of 0123456789abcdef 1.0 turned W X Y Z C C C D D D 0x1p+0  quaternion, both places of the pivot
+//     cast_of 0123456789abcdef 1.0 along 2 W X Y Z C C C W X Y Z D D D 0x1p+0   number of nodes, then each of them
 //     meetings_of 0123456789abcdef 1                   number of lines that follow: m, body, any motion
 //     m 1.0 translated M M M
 //     nearest 0123456789abcdef 1.0 inf                 body, limit of distance

@@ -34,24 +34,12 @@
 
 #include "ecods/ask.hpp"
 #include "ecods/export.hpp"
+#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {
-
-struct WayNode {
-    Quaternion q;
-    Vec3 pivot = Vec3::Zero();
-
-    friend bool operator==(const WayNode& a, const WayNode& b) { return a.q == b.q && a.pivot == b.pivot; }
-};
-
-// Throws InvalidArgument (Argument::turn), whose index is that of the node: if a number is not finite ("q.w", "q.x",
-// "pivot(0)"); if a quaternion is zero, or a negative multiple of the one before it, which would be a whole turn about
-// no axis ("q"); if the first node's quaternion is not a positive number ("q"). Also if there are fewer than two nodes
-// ("nodes", without an index).
-ECODS_API void validate(std::span<const WayNode> nodes);
 
 // A Way is a thing that is at a pose at the first of the nodes, and then goes along them. It has copies of pose and
 // nodes, and refers to or keeps the thing as Posed does.

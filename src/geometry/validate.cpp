@@ -3,11 +3,9 @@
 #include <limits>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "base/double_key.hpp"
 #include "base/make_error.hpp"
-#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 #include "geometry/find_invalid.hpp"
@@ -59,12 +57,6 @@ void validate(const Turn& turn) {
         }
     }
     if (key_of(q.w) <= 0 && key_of(q.x) == 0 && key_of(q.y) == 0 && key_of(q.z) == 0) throw whole_turn(q.w);
-}
-
-void validate(const Motion& motion) {
-    if (const auto* const translation = std::get_if<Translation>(&motion)) return validate_motion(translation->by);
-    if (const auto* const straight = std::get_if<Straight>(&motion)) return validate(straight->to);
-    validate(std::get<Turn>(motion));
 }
 
 void validate(const Segment& segment) {

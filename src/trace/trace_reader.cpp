@@ -66,6 +66,12 @@ void FieldReader::posed_bodies(std::vector<calls::Label>& bodies, std::vector<Po
     }
 }
 
+Quaternion FieldReader::quaternion() {
+    Quaternion q;
+    for (double* const part : {&q.w, &q.x, &q.y, &q.z}) *part = lines_.coordinate();
+    return q;
+}
+
 void FieldReader::any_motion(Motion& motion) {
     const std::string_view name = lines_.word("a motion");
     if (name == "translated") {
@@ -74,10 +80,17 @@ void FieldReader::any_motion(Motion& motion) {
         motion = Straight{lines_.pose()};
     } else if (name == "turned") {
         Turn turn;
-        for (double* const part : {&turn.q.w, &turn.q.x, &turn.q.y, &turn.q.z}) *part = lines_.coordinate();
+        turn.q = quaternion();
         turn.pivot_from = lines_.point();
         turn.pivot_to = lines_.point();
         motion = turn;
+    } else if (name == "along") {
+        Along along;
+        for (std::uint64_t left = lines_.decimal("a number of nodes", max_64); left > 0; --left) {
+            const Quaternion q = quaternion();
+            along.nodes.push_back({q, lines_.point()});
+        }
+        motion = std::move(along);
     } else {
         lines_.fail("there is no such motion");
     }

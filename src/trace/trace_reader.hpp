@@ -105,6 +105,7 @@ class FieldReader {
 
   private:
     decltype(TracedNames::bodies)::iterator known_body();
+    Quaternion quaternion();
 
     TraceLines& lines_;
     TracedNames& names_;

@@ -42,6 +42,11 @@ void TraceWriter::FieldWriter::moved_bodies(std::span<const BodyId> bodies, std:
 void TraceWriter::FieldWriter::any_motion(const Motion& motion) const {
     if (const auto* const translation = std::get_if<Translation>(&motion)) return put("translated", translation->by);
     if (const auto* const straight = std::get_if<Straight>(&motion)) return put("straight", straight->to);
+    if (const auto* const along = std::get_if<Along>(&motion)) {
+        put("along", along->nodes.size());
+        for (const auto& [q, pivot] : along->nodes) put(q.w, q.x, q.y, q.z, pivot);
+        return;
+    }
     const auto& [q, from, to] = std::get<Turn>(motion);
     put("turned", q.w, q.x, q.y, q.z, from, to);
 }

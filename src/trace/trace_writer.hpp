@@ -39,8 +39,8 @@ class TraceWriter {
     // Writes a call or a question, given by its row in calls.hpp or questions.hpp: write<calls::SetPose>(body, pose).
     template <template <class> class Row, class... Arguments>
     void write(const Arguments&... arguments) noexcept {
-        const Row<calls::Tracing> call{arguments...};
         guarded([&] {
+            const Row<calls::Tracing> call{arguments...};  // a motion has a copy of its nodes
             append_words(text_, call.name);
             call.fields(FieldWriter{*this}, call);
             end_line();

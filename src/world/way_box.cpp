@@ -3,6 +3,7 @@
 #include "base/double_key.hpp"
 #include "query/body/motion_kinds.hpp"
 #include "query/cast/turn_boxes.hpp"
+#include "query/cast/way_boxes.hpp"
 
 namespace ecods {
 namespace {
@@ -25,6 +26,7 @@ Aabb box_of_way(const Shape& shape, const Pose& start, const Aabb& from, const M
     const Pose* const end = straight_end(start, motion);
     if (end == &start) return from;
     if (end != nullptr) return box_of_ends(from, box_for(shape, *end, body, index));
+    if (const auto* const nodes = nodes_of(motion)) return WayBoxes(from, *nodes).whole();
     return TurnBoxes(from, turn_of(motion)).whole();
 }
 

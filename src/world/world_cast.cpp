@@ -7,8 +7,10 @@
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "geometry/find_invalid.hpp"
+#include "query/body/motion_kinds.hpp"
 #include "query/body/rounded_pair.hpp"
 #include "query/cast/turn_boxes.hpp"
+#include "query/cast/way_boxes.hpp"
 #include "query/intersection/asking.hpp"
 #include "world/enlarged.hpp"
 #include "world/least.hpp"
@@ -144,8 +146,13 @@ std::optional<BodyContact> World::cast(const Asked& asked, const Motion& motion,
         return TurnBoxes::Next::go_on;
     };
     const Aabb box = w.box_of(subject);
-    if (const auto* const turn = std::get_if<Turn>(&motion)) {
-        TurnBoxes(box, *turn).visit(first.bound(), search);
+    if (const auto* const nodes = nodes_of(motion)) {
+        const WayBoxes boxes(box, *nodes);
+        for (std::size_t leg = 0; leg + 1 < nodes->size(); ++leg) {
+            if (search(boxes.before(leg), boxes.of(leg), false) == TurnBoxes::Next::stop) break;
+        }
+    } else if (!std::holds_alternative<Straight>(motion)) {
+        TurnBoxes(box, turn_of(motion)).visit(first.bound(), search);
     } else {
         search(0, box_of_way(*subject.posed.what, subject.posed.pose, box, motion), false);
     }

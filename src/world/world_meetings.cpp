@@ -83,11 +83,18 @@ void require_valid(const Motion& motion, BodyId body, std::size_t index) {
     }
 }
 
-// Returns true if some body turns or is translated.
+// Returns true if some body turns or is translated. Throws NotSupported if no cast takes the motions of some two
+// bodies.
 bool are_any_motions(const Ways& ways, const Bodies& bodies) {
-    return std::ranges::any_of(ways.bodies(), [&](ProxyIndex proxy) {
-        return straight_end(bodies[proxy].pose, ways.motion(proxy)) == nullptr;
-    });
+    MotionKinds kinds;
+    bool are_any = false;
+    for (const ProxyIndex proxy : ways.bodies()) {
+        const Pose& start = bodies[proxy].pose;
+        kinds.add(start, ways.motion(proxy));
+        are_any = are_any || straight_end(start, ways.motion(proxy)) == nullptr;
+    }
+    kinds.require_casts();
+    return are_any;
 }
 
 }  // namespace

@@ -6,22 +6,12 @@
 
 #include "judge/cast_truth.hpp"
 #include "judge/text.hpp"
-#include "oracle/way.hpp"
 
 namespace ecods::judge {
 namespace {
 
 std::array<double, 4> numbers(const Quaternion& q) {
     return {q.w, q.x, q.y, q.z};
-}
-
-oracle::WaySoup way_soup(const Way<MeshShape>& a) {
-    oracle::WaySoup way{soup<MeshShape>({*a.what, a.pose}), {}, {}};
-    for (const WayNode& node : a.nodes) {
-        way.quaternions.push_back(numbers(node.q));
-        way.pivots.push_back(node.pivot);
-    }
-    return way;
 }
 
 oracle::NamedFeature named(const Feature& feature) {
@@ -51,6 +41,15 @@ std::string text(const std::optional<WayContact>& met) {
 }
 
 }  // namespace
+
+oracle::WaySoup way_soup(const Way<MeshShape>& a) {
+    oracle::WaySoup way{soup<MeshShape>({*a.what, a.pose}), {}, {}};
+    for (const WayNode& node : a.nodes) {
+        way.quaternions.push_back(numbers(node.q));
+        way.pivots.push_back(node.pivot);
+    }
+    return way;
+}
 
 std::optional<Wrong> ask_about_way(const Way<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     const oracle::WaySoup way = way_soup(a);

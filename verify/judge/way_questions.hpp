@@ -8,8 +8,12 @@
 #include "ecods/turn.hpp"
 #include "ecods/way.hpp"
 #include "judge/wrong.hpp"
+#include "oracle/way.hpp"
 
 namespace ecods::judge {
+
+// The way as the oracle takes it.
+oracle::WaySoup way_soup(const Way<MeshShape>& a);
 
 // The first contact along the way, with its point and normal.
 std::optional<Wrong> ask_about_way(const Way<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask);

@@ -189,10 +189,9 @@ int run(int argc, char** argv) {
         "JSON also in radians). A body that turns is listed first. Beside it, others rest or make the same turn");
     app.add_flag(
         "--casts", options.questions.has_casts,
-        "Also say of each body with a \"motion\" (in a scene file, or in the extras of a glTF node) or a \"turn\" (in "
-        "a "
-        "scene file) which body it meets first when it is translated by that, or makes that turn, and at which time "
-        "from 0 to 1");
+        "Also say of each body with a \"motion\" or a \"turn\" (in a scene file, or in the extras of a glTF node) "
+        "which "
+        "body it meets first when it is translated by that, or makes that turn, and at which time from 0 to 1");
     add_rays(app, options.questions.rays);
     app.add_flag("--solids", options.questions.has_solids,
                  "Take bodies of which the mesh bounds a solid for solids, what is inside included, in every answer: "

@@ -34,6 +34,29 @@ def test_numbers_that_are_not_finite(make, argument, part):
     assert (caught.value.argument, caught.value.part) == (argument, part)
 
 
+def test_a_body_on_a_way():
+    # A whole turn in two legs: (5, 0, 0) is at (3, 4, 0) at a sixth, and at (3, -4, 0) at five sixths.
+    five_sixths = (1 + 2 / 3) / 2
+    nodes = [ecods.WayNode((1, 0, 0, 0)), ecods.WayNode((0, 0, 0, 1)), ecods.WayNode((-1, 0, 0, 0))]
+    along = ecods.Along(nodes)
+    assert along.nodes == nodes and along == ecods.Along(nodes=tuple(nodes)) != ecods.Along(nodes[:2])
+    late = ecods.point_cloud([(3, -4, 0)])
+    assert ecods.cast(POINT, along, TARGET, STAY).time == 1 / 6
+    assert ecods.cast(late, STAY, POINT, along).time == five_sixths
+    assert ecods.cast(POINT, along, late, STAY, 0.8) is None
+    assert ecods.cast(POINT, ecods.Along(nodes[:2]), TARGET, HALF) is None  # nodes that are a turn
+    with pytest.raises(ecods.NotSupported):
+        ecods.cast(POINT, along, TARGET, HALF)
+    world = ecods.World()
+    body = world.create_body(late)
+    assert world.cast(POINT, along).body == body and world.cast(POINT, along).contact.time == five_sixths
+    own = world.create_body(POINT)
+    assert [met.contact.time for met in world.meetings([own], [along])] == [five_sixths]
+    with pytest.raises(ecods.InvalidArgument) as caught:
+        ecods.Along([nodes[0], nodes[2]])
+    assert (caught.value.argument, caught.value.part, caught.value.index) == (ecods.Argument.turn, "q", 1)
+
+
 def test_two_bodies_that_turn():
     both = ecods.cast(POINT.turning(None, HALF), ecods.point_cloud([(1, 0, 0)]).turning(None, BACK))
     assert both.time == 1 / 3 and both.kind == ecods.ClosestKind.vertex_vertex
@@ -73,7 +96,7 @@ def test_a_straight_move_beside_others():
 
 
 def test_what_is_no_motion():
-    with pytest.raises(TypeError, match="^cast: argument 4 .* is a list of 3; a number or a Translation or a Straight or a Turn is expected$"):
+    with pytest.raises(TypeError, match="^cast: argument 4 .* is a list of 3; a number or a Translation or a Straight or a Turn or an Along is expected$"):
         ecods.cast(POINT, HALF, TARGET, [1, 0, 0])
 
 

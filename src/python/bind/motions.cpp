@@ -1,6 +1,8 @@
 // Binds motion.hpp: how one body moves; and the cast of two bodies that each move in a way of their own.
 #include "ecods/motion.hpp"
 
+#include <vector>
+
 #include "ecods/turn.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"
@@ -30,12 +32,19 @@ void bind_motions(py::module_& m) {
                Field{"to", &Straight::to, "(4, 4) float64."})
         .def(py::init([](const Pose& to) { return valid_motion(Straight{to}); }), py::arg("to"),
              "Goes to a pose (4, 4) or (3, 4). Raises InvalidArgument.");
+    add_record(m, "Along",
+               "A motion in the time from 0 to 1: a body goes along the nodes of a Way, each leg in an equal share of "
+               "the time. Of n legs, a contact at the time s of leg k is at the time (k + s) / n, rounded once.",
+               Field{"nodes", &Along::nodes, "A list of WayNode, a copy."})
+        .def(py::init([](const std::vector<WayNode>& nodes) { return valid_motion(Along{nodes}); }), py::arg("nodes"),
+             "Takes the nodes of a Way. Raises InvalidArgument with the index of the node.");
     m.def(
         "cast", asked_with_witness<PosedMesh, Motion, PosedMesh, Motion, double>(ECODS_QUESTION(cast)), py::arg("a"),
         py::arg("motion_of_a"), py::arg("b"), py::arg("motion_of_b"), py::arg("max_time") = 1.0,
         py::arg("witness") = py::none(),
-        "FirstContact of two bodies that each move by a Translation, a Straight or a Turn; None if there is none up to "
-        "max_time. Exact, for any two of these. Raises InvalidArgument; NotSupported where cast() of a turn does.");
+        "FirstContact of two bodies that each move by a Translation, a Straight, a Turn or Along nodes; None if there is "
+        "none up to max_time. Exact. Raises InvalidArgument; NotSupported where cast() of a turn does, and if one goes "
+        "Along nodes and the other one moves.");
 }
 
 }  // namespace ecods::python

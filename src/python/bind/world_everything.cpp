@@ -84,10 +84,9 @@ void add_meetings(WorldClass& type) {
             return self.read([&](const World& world) { return world.meetings(ids, motions); });
         },
         py::arg("bodies"), py::arg("motions"),
-        "All pairs that meet while each of these bodies (k,) moves by its Translation, Straight or Turn, in a list, "
-        "and "
-        "the others stay: a list of Meeting, by time. Raises NotSupported if one is Straight and another one is not, "
-        "StaleBody, InvalidArgument.");
+        "All pairs that meet while each of these bodies (k,) moves by its Translation, Straight, Turn or Along, in a "
+        "list, and the others stay: a list of Meeting, by time. Raises NotSupported if one is Straight and another one "
+        "is not, or one goes Along nodes and another one moves, StaleBody, InvalidArgument.");
     type.def(
         "meetings",
         [](const SharedWorld& self, const py::object& bodies, const py::object& poses) {
@@ -115,9 +114,8 @@ void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
             return self.read([&](const World& world) { return world.cast(to_asked(subject, only), motion, most); });
         },
         what, py::arg("motion"), py::arg("max_time") = 1.0, filter,
-        "The same while it moves by a Translation, a Straight or a Turn. Raises NotSupported for the last two unless "
-        "it "
-        "and all that it may meet are meshes or Solids.");
+        "The same while it moves by a Translation, a Straight, a Turn or Along nodes. Raises NotSupported for all but "
+        "the first unless it and all that it may meet are meshes or Solids.");
     type.def(
         "cast_to_distance",
         [](const SharedWorld& self, const Subject& subject, const Vec3& motion, double distance, double most,

@@ -1,5 +1,5 @@
-// Casts of two bodies of any motions are those of their kinds. A body at rest counts as straight, as translated and as
-// turned by nothing, whichever the motion of the other one is.
+// Casts two bodies that move in any way, by the cast for the kinds of their motions. A body at rest counts as straight,
+// as translated and as turned by the angle 0, whichever the motion of the other one is.
 #include <utility>
 #include <variant>
 
@@ -9,6 +9,7 @@
 #include "ecods/turn.hpp"
 #include "geometry/find_invalid.hpp"
 #include "geometry/same_bits.hpp"
+#include "query/body/cast_along.hpp"
 #include "query/body/cast_straight.hpp"
 #include "query/body/motion_kinds.hpp"
 #include "query/intersection/asking.hpp"
@@ -35,14 +36,23 @@ std::optional<FirstContact> cast_in_other_order(const Ask& ask, const Cast& cast
     return contact;
 }
 
-Turning<MeshShape> turning(const Posed<MeshShape>& body, const Turn& turn) {
-    return {*body.what, body.pose, turn};
+bool is_turn(const Motion& motion) {
+    return std::holds_alternative<Turn>(motion) || std::holds_alternative<Along>(motion);
+}
+
+Turning<MeshShape> turning(const Posed<MeshShape>& body, const Motion& turn) {
+    return {*body.what, body.pose, turn_of(turn)};
 }
 
 // `end` is the pose to which a body goes straight; null if it is translated.
 StraightMove straight(const Posed<MeshShape>& body, const Pose* end, const Motion& motion) {
     if (end != nullptr) return {{*body.what, body.pose, *end}, {}};
     return {{*body.what, body.pose, body.pose}, std::get<Translation>(motion).by};
+}
+
+// Returns true if the nodes of a way are a Turn in everything.
+bool is_turn(const std::vector<WayNode>& nodes) {
+    return nodes.size() == 2 && nodes[0].q == Quaternion();
 }
 
 bool is_same_place(const Pose& a, const Pose& b) {
@@ -52,6 +62,16 @@ bool is_same_place(const Pose& a, const Pose& b) {
 
 }  // namespace
 
+void MotionKinds::add(const Pose& start, const Motion& motion) {
+    if (straight_end(start, motion) == &start) return;
+    ++moving_count_;
+    if (nodes_of(motion) != nullptr) ++way_count_;
+}
+
+void MotionKinds::require_casts() const {
+    if (way_count_ > 0 && moving_count_ > 1) throw NotSupported("a body goes along a way, and another one moves");
+}
+
 const Pose* straight_end(const Pose& start, const Motion& motion) {
     if (const auto* const straight = std::get_if<Straight>(&motion)) {
         return is_same_place(straight->to, start) ? &start : &straight->to;
@@ -60,8 +80,16 @@ const Pose* straight_end(const Pose& start, const Motion& motion) {
     return translated != nullptr && is_zero(translated->by) ? &start : nullptr;
 }
 
+const std::vector<WayNode>* nodes_of(const Motion& motion) {
+    const auto* const along = std::get_if<Along>(&motion);
+    return along == nullptr || is_turn(along->nodes) ? nullptr : &along->nodes;
+}
+
 Turn turn_of(const Motion& motion) {
     if (const auto* const turn = std::get_if<Turn>(&motion)) return *turn;
+    if (const auto* const along = std::get_if<Along>(&motion)) {
+        return {along->nodes[1].q, along->nodes[0].pivot, along->nodes[1].pivot};
+    }
     return {{}, Vec3::Zero(), std::get<Translation>(motion).by};
 }
 
@@ -81,6 +109,15 @@ std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Motion& motion
                                  const Motion& motion_of_b, double max_time, const Ask& ask) {
     validate(motion_of_a);
     validate(motion_of_b);
+    MotionKinds kinds;
+    kinds.add(a.pose, motion_of_a);
+    kinds.add(b.pose, motion_of_b);
+    kinds.require_casts();
+    if (const auto* const nodes = nodes_of(motion_of_a)) return cast_along(a, *nodes, b, max_time, ask);
+    if (const auto* const nodes = nodes_of(motion_of_b)) {
+        return cast_in_other_order(
+            ask, [&](const Ask& exchanged) { return cast_along(b, *nodes, a, max_time, exchanged); });
+    }
     const Pose* const end_a = straight_end(a.pose, motion_of_a);
     const Pose* const end_b = straight_end(b.pose, motion_of_b);
     if (end_a != nullptr && end_b != nullptr) {
@@ -91,15 +128,15 @@ std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Motion& motion
     const Vec3* const way_b = translation(b.pose, motion_of_b);
     if (way_a != nullptr && end_b == &b.pose) return cast(a, *way_a, b, max_time, ask);
     if (way_b != nullptr && end_a == &a.pose) return cast(a, Vec3(-*way_b), b, max_time, ask);
-    const auto* const turn_a = std::get_if<Turn>(&motion_of_a);
-    const auto* const turn_b = std::get_if<Turn>(&motion_of_b);
-    if (turn_a != nullptr && turn_b != nullptr) return cast(turning(a, *turn_a), turning(b, *turn_b), max_time, ask);
-    if (turn_b != nullptr) {
+    if (is_turn(motion_of_a) && is_turn(motion_of_b)) {
+        return cast(turning(a, motion_of_a), turning(b, motion_of_b), max_time, ask);
+    }
+    if (is_turn(motion_of_a)) return cast_turn(turning(a, motion_of_a), b, motion_of_b, max_time, ask);
+    if (is_turn(motion_of_b)) {
         return cast_in_other_order(ask, [&](const Ask& exchanged) {
-            return cast_turn(turning(b, *turn_b), a, motion_of_a, max_time, exchanged);
+            return cast_turn(turning(b, motion_of_b), a, motion_of_a, max_time, exchanged);
         });
     }
-    if (turn_a != nullptr) return cast_turn(turning(a, *turn_a), b, motion_of_b, max_time, ask);
     return cast(straight(a, end_a, motion_of_a), straight(b, end_b, motion_of_b), max_time, ask);
 }
 

@@ -1,16 +1,35 @@
-// straight_end() and turn_of() say of which kind a motion is.
+// MotionKinds knows for which kinds of motions a cast of two bodies exists (cast_any_motion.cpp); the functions say of
+// which kind a motion is.
 #pragma once
+
+#include <cstddef>
+#include <vector>
 
 #include "ecods/motion.hpp"
 
 namespace ecods {
+
+class MotionKinds {
+  public:
+    // Adds the motion of a body that is at the pose `start` at time 0. A body at rest does not count.
+    void add(const Pose& start, const Motion& motion);
+
+    // Throws NotSupported if there is no cast of some two of the bodies added.
+    void require_casts() const;
+
+  private:
+    std::size_t moving_count_ = 0, way_count_ = 0;
+};
+
+// Returns the nodes of a body that goes along a way; null for other motions, and for nodes that are a Turn.
+const std::vector<WayNode>* nodes_of(const Motion& motion);
 
 // Returns the last pose of a body that is at rest (&start) or goes straight to a pose; null for other motions.
 // Both arguments must outlive the result.
 const Pose* straight_end(const Pose& start, const Motion& motion);
 
 // Returns a turn that moves every body as the motion does: a translation is a turn by the angle 0. Call only for
-// translations and turns.
+// translations, turns, and nodes that are a Turn.
 Turn turn_of(const Motion& motion);
 
 }  // namespace ecods

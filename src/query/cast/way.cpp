@@ -1,9 +1,10 @@
-// Checks the nodes of ways, and computes poses on them.
+// Checks motions and the nodes of ways, and computes poses on them.
 #include "ecods/way.hpp"
 
 #include <array>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "base/limits.hpp"
 #include "geometry/find_invalid.hpp"
@@ -47,6 +48,13 @@ void validate(std::span<const WayNode> nodes) {
         if (k == 0 && !is_at_start(q)) throw invalid_turn("q", q.w).at({}, k);
         if (k > 0 && is_opposite(q, nodes[k - 1].q)) throw whole_turn(-1).at({}, k);
     }
+}
+
+void validate(const Motion& motion) {
+    if (const auto* const translation = std::get_if<Translation>(&motion)) return validate_motion(translation->by);
+    if (const auto* const straight = std::get_if<Straight>(&motion)) return validate(straight->to);
+    if (const auto* const along = std::get_if<Along>(&motion)) return validate(along->nodes);
+    validate(std::get<Turn>(motion));
 }
 
 Pose pose_at(const Pose& pose, std::span<const WayNode> nodes, std::size_t leg, double time) {

@@ -84,6 +84,12 @@ void turn_all_the_way() {
     if (!met) return;
     fmt::print("turn all the way: meets on leg {} at {:.3f}, at {}\n", met->leg, met->contact.time,
                text(contact_point(way, other, *met).point));
+    // A world with the post: the same contact, at its share of the time.
+    World world;
+    world.create_body(post, other.pose);
+    if (const auto first = world.cast({way.what->mesh_ptr(), way.pose}, Along{nodes})) {
+        fmt::print("turn all the way: in a world at {:.3f}\n", first->contact.time);
+    }
 }
 
 // A rod turns while a cart comes: which pairs meet on the way, and when?

@@ -22,12 +22,14 @@ std::string name_of(const JsonPlace& place) {
     return !name || name->value() == "" ? "" : name->text();
 }
 
-// Extras are whatever a program likes, so only an array of this name is taken for one.
-std::optional<Vec3> motion_of(const JsonPlace& node) {
+// Sets how the body is to be cast. Extras are whatever a program likes, so only a list is taken for a motion, and only
+// an object for a turn.
+void read_extras(const JsonPlace& node, SceneBody& body) {
     const auto extras = node.find("extras");
-    if (!extras || !extras->value().is_object()) return std::nullopt;
-    const auto motion = extras->find("motion");
-    return motion && motion->value().is_array() ? std::optional(motion->point()) : std::nullopt;
+    if (!extras || !extras->value().is_object()) return;
+    if (const auto motion = extras->find("motion"); motion && motion->value().is_array()) body.motion = motion->point();
+    if (const auto turn = extras->find("turn"); turn && turn->value().is_object()) body.turn = read_turn(*turn);
+    if (body.motion && body.turn) extras->fail("a body has a \"motion\" or a \"turn\", not both");
 }
 
 // Targets change no vertex as long as their weights are zero, which they are where none is given.
@@ -72,7 +74,7 @@ class SceneOfNodes {
         if (skin) ++counts_.skinned_nodes;
         std::string name = name_of(node).empty() ? name_of(mesh) : name_of(node);
         if (name.empty()) name = fmt::format("node {}", index);
-        scene_.bodies.push_back({std::move(name), *entry->second, pose, motion_of(node)});
+        read_extras(node, scene_.bodies.emplace_back(SceneBody{std::move(name), *entry->second, pose}));
         node_indices_.push_back(index);
     }
 

@@ -20,8 +20,9 @@ bool is_gltf_file(const std::filesystem::path& file);
 // named after its node; if that has no name, after its mesh; if that has none either, "node N". Where several bodies
 // would have one name, each gets " (node N)" behind it.
 //
-// A node's "extras" may have a "motion": [x, y, z], as a body of a scene file (scene_file.hpp), in the coordinates of
-// the scene.
+// A node's "extras" may have a "motion": [x, y, z] or a "turn": {...}, as a body of a scene file has them
+// (scene_file.hpp), in the coordinates of the scene, and with the same errors. Another value than a list and an object
+// is somebody's own.
 //
 // Buffers are files (named_file.hpp says which), data in base64, or come with a binary file; each has as many bytes as
 // byteLength says.

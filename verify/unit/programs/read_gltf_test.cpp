@@ -1,8 +1,10 @@
 // glTF assemblies: poses, primitives, and each kind of bad input.
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <random>
 
+#include "ecods/turn.hpp"
 #include "gltf_test.hpp"
 
 namespace ecods::scenes {
@@ -36,6 +38,31 @@ TEST_F(ReadGltf, ReadsTheMotionOfANode) {
     }
     json["nodes"][0]["extras"] = {{"motion", {1, 2}}};
     EXPECT_THROW(read(json), ReadError);
+}
+
+TEST_F(ReadGltf, ReadsTheTurnOfANode) {
+    Json json = model();
+    json["nodes"][0]["extras"] = {{"turn", {{"axis", {0, 0, 2}}, {"degrees", 30}, {"pivot", {1, 0, 0}}}}};
+    const SceneBody body = read(json).bodies[0];
+    EXPECT_EQ(body.turn, about({0, 0, 2}, 30.0 / 180 * std::numbers::pi, {1, 0, 0}));
+    EXPECT_FALSE(body.motion);
+    json["nodes"][0]["extras"] = {{"turn", {{"q", {1, 0, 0, -1}}, {"pivot", {1, 2, 3}}, {"pivot_to", {1, 2, 4}}}}};
+    EXPECT_EQ(read(json).bodies[0].turn, (Turn{{1, 0, 0, -1}, {1, 2, 3}, {1, 2, 4}}));
+    for (const Json& other : {Json("left"), Json(3), Json{1, 2, 3}}) {
+        json["nodes"][0]["extras"] = {{"turn", other}};
+        EXPECT_FALSE(read(json).bodies[0].turn) << "what is no object is somebody's own";
+    }
+    const auto expect_bad = [&](const Json& extras, const std::string& place, const std::string& text) {
+        json["nodes"][0]["extras"] = extras;
+        const auto file = write("bad.gltf", json.dump());
+        expect_error([&] { read_gltf_file(file); }, file, place, text);
+    };
+    expect_bad({{"turn", Json::object()}}, "nodes[0].extras.turn", "\"axis\" is missing");
+    expect_bad({{"turn", {{"q", {1, 0, 0}}}}}, "nodes[0].extras.turn.q", "a list of 4 is expected");
+    expect_bad({{"turn", {{"q", {0, 0, 0, 0}}}}}, "nodes[0].extras.turn", "turn: the quaternion is zero");
+    expect_bad({{"turn", {{"q", {1, 0, 0, 1}}, {"speed", 3}}}}, "nodes[0].extras.turn", "the key \"speed\" is unknown");
+    expect_bad({{"turn", {{"q", {1, 0, 0, 1}}}}, {"motion", {1, 2, 3}}}, "nodes[0].extras",
+               "a body has a \"motion\" or a \"turn\", not both");
 }
 
 TEST_F(ReadGltf, ReadsBinaryFiles) {

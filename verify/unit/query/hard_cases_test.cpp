@@ -3,9 +3,18 @@
 // contact.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <optional>
+#include <vector>
 
+#include "ecods/deforming.hpp"
 #include "ecods/error.hpp"
+#include "ecods/way.hpp"
+#include "judge/along_questions.hpp"
+#include "judge/text.hpp"
+#include "judge/turn_truth.hpp"
+#include "judge/way_questions.hpp"
 #include "scenes/io/hard_case_file.hpp"
 #include "unit/query/expect_right.hpp"
 
@@ -39,9 +48,19 @@ class HardCases : public testing::Test {
         EXPECT_GT(asked, 40U);
     }
 
+    void expect_right_turn(const Posed<MeshShape>& a, const Turn& turn, const Posed<MeshShape>& b) {
+        try {
+            const judge::TurnTruth truth({*a.what, a.pose, turn}, b, 2);
+            expect_none(truth.ask(memory_, witness_));
+            ++asked_;
+        } catch (const NotSupported&) {
+        }
+    }
+
     scenes::HardCases known_;
     QueryMemory memory_;
     PairWitness witness_;
+    int asked_ = 0;
 };
 
 TEST_F(HardCases, Distances) {
@@ -84,6 +103,60 @@ TEST_F(HardCases, Moves) {
         ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(first, {*b.what, b.pose, b.pose}, 2), memory_, witness_));
         ASSERT_NO_FATAL_FAILURE(expect_right(judge::CastTruth(first, second, 2), memory_, witness_));
     });
+}
+
+// By half a turn, by small integers about a corner, and by a turn that glides.
+TEST_F(HardCases, Turns) {
+    for_each([&](const auto& a, const auto& b, const auto& of_a, const auto& of_b) {
+        const Vec3 way = of_b(0) - of_a(0);
+        for (const Turn& turn : {Turn{{0, 0, 0, 1}, of_b(0), of_b(0)}, Turn{{1, 1, -2, 0.5}, of_a(0), of_a(0)},
+                                 Turn{{1, 0, 0.5, 0}, of_a(1), of_a(1) + way}}) {
+            if (!turn.pivot_from.allFinite() || !turn.pivot_to.allFinite()) continue;
+            expect_right_turn(a, turn, b);
+        }
+    });
+    EXPECT_GT(asked_, 100);
+}
+
+// Along three legs, of which the second glides, and back.
+TEST_F(HardCases, Ways) {
+    for_each([&](const auto& a, const auto& b, const auto& of_a, const auto& of_b) {
+        const Vec3 pivot = of_a(0), there = of_b(0);
+        if (!pivot.allFinite() || !there.allFinite()) return;
+        const std::vector<WayNode> nodes{{{}, pivot}, {{1, 0, 1, 0}, pivot}, {{1, 0.5, 1, 0}, there}, {{}, pivot}};
+        const Way<MeshShape> along(*a.what, a.pose, nodes);
+        try {
+            expect_none(judge::ask_about_way(along, b, {memory_, witness_}));
+            expect_none(judge::ask_about_along(along, b, {memory_, witness_}));
+            ++asked_;
+        } catch (const NotSupported&) {
+        }
+    });
+    EXPECT_GT(asked_, 30);
+}
+
+// The first body deforms: into itself by another order of vertices, or to one corner of the other body.
+TEST_F(HardCases, DeformingMeshes) {
+    for_each([&](const auto& a, const auto& b, const auto&, const auto& of_b) {
+        std::vector<Vec3> from;
+        for (const Vec3& v : a.what->mesh().vertices()) from.push_back(a.pose.R * v + a.pose.t);
+        if (!std::ranges::all_of(from, [](const Vec3& v) { return v.allFinite(); })) return;
+        const auto triangles = a.what->mesh().triangles();
+        const auto start = std::make_shared<const MeshShape>(Mesh::create(from, {triangles.begin(), triangles.end()}));
+        const oracle::Soup rests = judge::soup(b);
+        for (const std::vector<Vec3>& to :
+             {std::vector<Vec3>(from.rbegin(), from.rend()), std::vector<Vec3>(from.size(), of_b(0))}) {
+            const Deforming mesh(start, to);
+            const oracle::DeformingSoup moves{{start->mesh().vertices(), triangles, Pose()}, {to, triangles, Pose()}};
+            const oracle::DeformingSoup other{rests, rests};
+            const auto expected = judge::to_first_contact(oracle::first_contact(moves, other));
+            const auto back = judge::to_first_contact(oracle::first_contact(other, moves));
+            EXPECT_TRUE(judge::is_same(cast(mesh, b, 1, {memory_, witness_}), expected)) << judge::text(expected);
+            EXPECT_TRUE(judge::is_same(cast(b, mesh, 1, {memory_, witness_}), back)) << judge::text(back);
+            ++asked_;
+        }
+    });
+    EXPECT_GT(asked_, 60);
 }
 
 // The ones that bound convex solids.

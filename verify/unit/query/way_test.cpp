@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "ecods/error.hpp"
 #include "ecods/solid.hpp"
 #include "environment/each_environment.hpp"
+#include "judge/along_questions.hpp"
 #include "judge/way_questions.hpp"
 #include "scenes/each_case.hpp"
 #include "scenes/shapes.hpp"
@@ -177,6 +179,38 @@ TEST(Way, AsTheOracle) {
     EXPECT_GT(judged, 25);
 }
 
+// Casts along nodes, in equal shares of the time, in both orders and at limits of time: two, three and four legs, with
+// pivots that glide.
+TEST(Way, InSharesOfTheTimeAsTheOracle) {
+    scenes::Random random(7);
+    QueryMemory memory;
+    PairWitness witness;
+    int judged = 0, after_first_leg = 0;
+    const auto count = [](std::string_view family) { return family == "rods" || family == "gears" ? 1 : 3; };
+    scenes::for_each_case(scenes::turn_families(), 5, count, [&](const scenes::TurnCase& made) {
+        if (made.a->triangles().size() * made.b->triangles().size() > 64) return;
+        const MeshShape a(made.a), b(made.b);
+        Way<MeshShape> way(a, made.pose_a, {{{}, made.turn.pivot_from}});
+        for (auto legs = 1 + random.below(3); legs > 0; --legs) {
+            way.nodes.push_back(
+                {any_quaternion(random), random.below(2) == 0 ? made.turn.pivot_to : way.nodes[0].pivot});
+        }
+        way.nodes.push_back({made.turn.q, made.turn.pivot_to});
+        try {
+            const auto wrong = judge::ask_about_along(way, {b, made.pose_b}, {memory, witness});
+            EXPECT_FALSE(wrong) << wrong->question << ": " << wrong->expected << ", not " << wrong->got;
+            const auto met = cast(way, {b, made.pose_b});
+            after_first_leg += met && met->leg > 0;
+            ++judged;
+        } catch (const NotSupported&) {
+        } catch (const InvalidArgument& error) {
+            EXPECT_EQ(error.part, "q");  // opposite to the node before
+        }
+    });
+    EXPECT_GT(judged, 20);
+    EXPECT_GT(after_first_leg, 1);
+}
+
 // The search sees the same in every environment.
 TEST(Way, TheSameBitsInEveryEnvironment) {
     const MeshShape ball(scenes::sphere(6, 4)), ring(scenes::torus(6, 4, 0.4));
@@ -184,11 +218,12 @@ TEST(Way, TheSameBitsInEveryEnvironment) {
         {{}, origin}, {{0.5, 0.25, 0, 1}, origin}, {{-0.25, 0.5, 1, 0.75}, Vec3(0, 0.5, 0)}};
     const Way<MeshShape> way(ball, {Mat3::Identity(), Vec3(4, 0, 0.25)}, nodes);
     const Posed<MeshShape> other(ring, pose_at(way.pose, nodes, 1, 0.75));
-    const auto expected = cast(way, other);
-    EXPECT_TRUE(expected);
+    const auto ask = [&] { return std::pair(cast(way, other), cast({ball, way.pose}, Along{nodes}, other, Motion())); };
+    const auto expected = ask();
+    EXPECT_TRUE(expected.first);
+    EXPECT_TRUE(expected.second);
     environment::in_each_environment(
-        [&] { return cast(way, other); },
-        [&](const auto& there, const std::string& where) { EXPECT_EQ(there, expected) << where; });
+        ask, [&](const auto& there, const std::string& where) { EXPECT_EQ(there, expected) << where; });
 }
 
 }  // namespace

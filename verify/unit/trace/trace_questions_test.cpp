@@ -42,6 +42,9 @@ std::string traced(const TraceOptions& options) {
     std::ignore =
         world.meetings(std::vector{bodies[2], bodies[0]}, std::vector<Motion>{turn, Translation{Vec3(4, 0.1, 0)}});
     std::ignore = world.meetings(std::vector{bodies[2]}, std::vector<Motion>{Straight{at(0)}});
+    const Along nodes{{{{2, 0, 0, 0}, Vec3(3, 0, 0)}, {{0, 0, 1, 0}, Vec3(3, 0, 0)}, {{0, 0, 1, 1}, Vec3(4, 0.1, 0)}}};
+    std::ignore = world.cast(bodies[0], nodes, 0.75);
+    std::ignore = world.meetings(std::vector{bodies[2], bodies[0]}, std::vector<Motion>{nodes, Translation()});
     std::ignore = world.bodies_containing(Vec3(0.25, 0.25, 0));
     std::ignore = world.depths();
     std::ignore = world.signed_distances(1);
@@ -77,9 +80,10 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nclosest_pair ", with), 1u);
     EXPECT_EQ(count_of("\ncast ", with), 2u);
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
-    EXPECT_EQ(count_of("\ncast_of ", with), 2u);
-    EXPECT_EQ(count_of("\nmeetings_of ", with), 2u);
-    EXPECT_EQ(count_of(" translated ", with) + count_of(" turned ", with), 3u);
+    EXPECT_EQ(count_of("\ncast_of ", with), 3u);
+    EXPECT_EQ(count_of("\nmeetings_of ", with), 3u);
+    EXPECT_EQ(count_of(" along 3 0x1p+1 ", with), 2u);
+    EXPECT_EQ(count_of(" translated ", with) + count_of(" turned ", with), 4u);
     EXPECT_EQ(count_of("\nbodies_containing ", with), 1u);
     EXPECT_EQ(count_of("\ndepths ", with), 1u);
     EXPECT_EQ(count_of("\nsigned_distances ", with), 1u);
@@ -90,9 +94,9 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
                             BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
         const ReplayReport report = replayed(with, kind);
         EXPECT_FALSE(report.difference) << report.difference->what;
-        EXPECT_EQ(report.question_count, 17u);
+        EXPECT_EQ(report.question_count, 19u);
         EXPECT_EQ(report.update_count, 2u);
-        EXPECT_EQ(report.call_count, 6u + 2 + 17);
+        EXPECT_EQ(report.call_count, 6u + 2 + 19);
     }
 }
 
@@ -178,6 +182,14 @@ TEST(TraceQuestions, WhatIsNoQuestionIsRefused) {
     refused(body + "meetings_of 0 1\nm 1.0 translated 0x0p+0 0x0p+0");
     refused(body + "meetings_of 0 1\nm 1.0 turned 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
     refused(body + "cast_of 0 1.0 turned 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0");
+    const std::string node = " 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0", numbers = node + node + node;
+    refused(body + "cast_of 0 1.0 along 3" + numbers);
+    refused(body + "cast_of 0 1.0 along 2" + numbers + " 0x1p+0");
+    refused(body + "cast_of 0 1.0 along 1" + node + " 0x1p+0");
+    refused(body + "cast_of 0 1.0 along 4294967296" + numbers + " 0x1p+0");
+    refused(body + "meetings_of 0 1\nm 1.0 along 0");
+    refused(body + "meetings_of 0 1\nm 1.0 along");
+    EXPECT_EQ(replayed(head + body + "cast_of 0 1.0 along 3" + numbers + " 0x1p+0\n").call_count, 2u);
     EXPECT_EQ(replayed(head + body + "meetings_of 0 1\nm 1.0 translated 0x0p+0 0x0p+0 0x0p+0\n").call_count, 2u);
     EXPECT_EQ(replayed(head + "meetings 0 0\n").question_count, 0u) << "which has another digest";
 }

@@ -42,10 +42,25 @@ class WorldTurnAllTest : public EachWorld {
         if (random.below(2) == 0) turn.pivot_to += 0.25 * any_way();
         return turn;
     }
+    Along any_nodes(BodyId body) {
+        Along along{{{{1, 0, 0, 0}, random.below(2) == 0 ? world.pose(body).t : any_pose().t}}};
+        for (auto left = 2 + random.below(3); left > 0; --left) {
+            const Turn turn = any_turn(body);
+            along.nodes.push_back({turn.q, random.below(2) == 0 ? along.nodes.back().pivot : turn.pivot_to});
+        }
+        try {
+            validate(along.nodes);
+        } catch (const InvalidArgument&) {  // a quaternion opposite to the one before
+            along.nodes.resize(2);
+            along.nodes[1].q = {1, 0, 0, 1};
+        }
+        return along;
+    }
     Motion any_motion(BodyId body) {
-        const auto kind = random.below(6);
+        const auto kind = random.below(9);
         if (kind < 4) return any_turn(body);
-        return kind == 4 ? Motion(Straight{any_pose()}) : Translation{any_way()};
+        if (kind < 7) return any_nodes(body);
+        return kind == 7 ? Motion(Straight{any_pose()}) : Translation{any_way()};
     }
 
     bool are_of_one_kind(BodyId a, BodyId b) const { return world.shape(a)->kind() == world.shape(b)->kind(); }
@@ -127,20 +142,21 @@ TEST_P(WorldTurnAllTest, Meetings) {
     create_bodies();
     const auto bodies = world.bodies();
     std::size_t met = 0;
-    for (int frame = 0; frame < 6; ++frame) {
-        const bool are_straight = frame >= 4;
+    for (int frame = 0; frame < 8; ++frame) {
+        const bool are_straight = frame >= 4, is_way = frame >= 6;
         std::vector<BodyId> moved;
         std::vector<Motion> motions;
         for (const BodyId body : bodies) {
-            if (random.below(frame % 2 == 0 ? 10 : 2) != 0) continue;
+            if (is_way ? !moved.empty() : random.below(frame % 2 == 0 ? 10 : 2) != 0) continue;
             moved.push_back(body);
             const Translation by{random.below(3) == 0 ? Vec3(0, 0, 0) : Vec3(0.25 * any_way())};
             motions.push_back(are_straight || random.below(3) == 0 ? Motion(Straight{any_pose()}) : by);
         }
         if (!are_straight && !moved.empty()) motions.front() = any_turn(moved.front());
+        if (is_way) motions.front() = any_nodes(moved.front());
         const auto got = world.meetings(moved, motions);
         expect_same(got, all_meetings(moved, motions));
-        if (are_straight) {
+        if (are_straight && !is_way) {
             std::vector<Pose> poses;
             for (const Motion& motion : motions) poses.push_back(std::get<Straight>(motion).to);
             EXPECT_EQ(world.meetings(moved, poses), got);
