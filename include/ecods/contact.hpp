@@ -27,6 +27,7 @@
 // they share.
 //
 // Example: verify/examples/how_do_i, contact_of_boxes().
+// Example: verify/examples/how_do_i, ball_on_a_floor().
 #pragma once
 
 #include <cstdint>
@@ -39,6 +40,7 @@
 #include "ecods/ids.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/results.hpp"
+#include "ecods/rounded.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/way.hpp"
 
@@ -174,6 +176,23 @@ struct ContactPoint {
 // features.
 [[nodiscard]] ECODS_API ContactPoint contact_point(const Posed<MeshShape>& a, const Vec3& motion,
                                                    const Posed<MeshShape>& b, const FirstContact& contact,
+                                                   const Ask& ask = {});
+
+// Return the same of a contact that cast() of rounded bodies returned, a ball that falls on a floor, say. Let x and y
+// be the closest points of the cores at the contact's features at its exact time, and r and s the radii. The point is
+// (s x
+// + r y) / (r + s), on the segment from x to y: the one that both bodies share when they touch; at time 0 one that they
+// share, too. The normal is the unit vector from x to y. If cores share a point at time 0, the point is that of
+// closest(). Without radii, the answer is that of the cores. Errors are as above; NotSupported for every contact that
+// is not exactly the one that cast() returns for the two triangles. Cost: that of some pairs of features in integers,
+// about a tenth of a millisecond.
+[[nodiscard]] ECODS_API ContactPoint contact_point(const Posed<Rounded>& a, const Vec3& motion, const Posed<Rounded>& b,
+                                                   const FirstContact& contact, const Ask& ask = {});
+[[nodiscard]] ECODS_API ContactPoint contact_point(const Posed<Rounded>& a, const Vec3& motion,
+                                                   const Posed<MeshShape>& b, const FirstContact& contact,
+                                                   const Ask& ask = {});
+[[nodiscard]] ECODS_API ContactPoint contact_point(const Posed<MeshShape>& a, const Vec3& motion,
+                                                   const Posed<Rounded>& b, const FirstContact& contact,
                                                    const Ask& ask = {});
 
 // Return the point and the normal of a contact that cast() of a turning body (turn.hpp, way.hpp), or of two bodies that

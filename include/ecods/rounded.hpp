@@ -24,7 +24,7 @@
 //                                                                not convex
 //     depth                                                      answered, if both are convex
 //     closest, signed_distance, locate of a point                answered
-//     hits; casts by a translation                               answered
+//     hits; casts by a translation, and their contact_point      answered
 //     contact_patch (contact.hpp)                                answered, if both are convex
 //     a World's lists, events, nearest, closest_pairs            answered; distances are signed if both are convex
 //     relation                                                   answered, if both are convex, or one is convex and the

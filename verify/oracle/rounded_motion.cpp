@@ -16,6 +16,16 @@ TriangleOf<mpz_class> in_units(const RoundedMotion::Corners& corners, const mpz_
     return TriangleOf<mpz_class>(result);
 }
 
+mpz_class common_unit(const RoundedMotion::Corners& a, const RoundedMotion::Corners& b) {
+    mpz_class unit = 1;
+    for (const RoundedMotion::Corners* const corners : {&a, &b}) {
+        for (const auto& corner : *corners) {
+            for (const mpq_class& x : corner) unit = lcm(unit, x.get_den());
+        }
+    }
+    return unit;
+}
+
 bool pierce(const TriangleOf<mpz_class>& s, const TriangleOf<mpz_class>& t) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (pierces(s, i, t).may_be) return true;
@@ -25,18 +35,44 @@ bool pierce(const TriangleOf<mpz_class>& s, const TriangleOf<mpz_class>& t) {
 
 }  // namespace
 
-mpq_class RoundedMotion::squared(const mpq_class& time) const {
-    Corners moved = a_;
-    mpz_class unit = 1;
-    for (auto& corner : moved) {
+RoundedMotion::Corners RoundedMotion::moved(const mpq_class& time) const {
+    Corners result = a_;
+    for (auto& corner : result) {
         for (std::size_t k = 0; k < 3; ++k) corner[k] += time * motion_[k];
     }
-    for (const Corners* const corners : {&std::as_const(moved), &b_}) {
-        for (const auto& corner : *corners) {
-            for (const mpq_class& x : corner) unit = lcm(unit, x.get_den());
+    return result;
+}
+
+std::array<Vector<mpq_class>, 2> RoundedMotion::closest(const mpq_class& time) const {
+    const Corners first = moved(time);
+    const mpz_class unit = common_unit(first, b_);
+    const TriangleOf<mpz_class> a = in_units(first, unit), b = in_units(b_, unit);
+    std::optional<mpq_class> least;
+    const FeaturePair* best = nullptr;
+    for (const FeaturePair& pair : feature_pairs()) {
+        const FeatureDistance<mpz_class> d = feature_distance(pair, a, b);
+        if (!d.is_inside) continue;
+        mpq_class square(d.num, d.den);
+        square.canonicalize();
+        if (least && square >= *least) continue;
+        least = square;
+        best = &pair;
+    }
+    std::array<Vector<mpq_class>, 2> result;
+    const auto points = closest_points(*best, a, b);
+    for (std::size_t side = 0; side < 2; ++side) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            result[side][k] = mpq_class(points[side].num[k], points[side].den * unit);
+            result[side][k].canonicalize();
         }
     }
-    const TriangleOf<mpz_class> a = in_units(moved, unit), b = in_units(b_, unit);
+    return result;
+}
+
+mpq_class RoundedMotion::squared(const mpq_class& time) const {
+    const Corners first = moved(time);
+    const mpz_class unit = common_unit(first, b_);
+    const TriangleOf<mpz_class> a = in_units(first, unit), b = in_units(b_, unit);
     if (pierce(a, b) || pierce(b, a)) return 0;
     std::optional<mpq_class> least;
     for (const FeaturePair& pair : feature_pairs()) {

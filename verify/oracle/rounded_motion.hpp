@@ -27,10 +27,14 @@ class RoundedMotion {
     // than 2^-110 of the time. The triangles must not be within p at time 0.
     std::optional<double> first(double last) const;
 
+    // Closest points of the triangles at a time at which they share none.
+    std::array<Vector<mpq_class>, 2> closest(const mpq_class& time) const;
+
     // True if the double is the last time at which the triangles are near, rounded.
     bool is_last(double time) const;
 
   private:
+    Corners moved(const mpq_class& time) const;
     mpq_class squared(const mpq_class& time) const;  // of the distance
 
     Corners a_, b_;

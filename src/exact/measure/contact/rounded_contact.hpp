@@ -23,6 +23,7 @@
 #include <array>
 #include <optional>
 
+#include "ecods/pose.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
 #include "exact/number/exact_sum.hpp"
 #include "exact/number/long_vector.hpp"
@@ -32,7 +33,7 @@ namespace ecods::exact {
 
 class RoundedContact {
   public:
-    // corners: those of A, then those of B. The motion must not be zero, and p must be positive.
+    // corners: those of A, then those of B. p must be positive; the motion must not be zero for interval().
     RoundedContact(const std::array<ScaledLongVector, 6>& corners, const ScaledLongVector& motion, const ExactSum& p);
 
     // An End of the interval is its time, rounded once and at least 2^-1074 in magnitude unless it is 0, and the first
@@ -47,6 +48,16 @@ class RoundedContact {
     };
     // Returns all times at which the triangles are within p of each other, of either sign; nullopt if there are none.
     std::optional<Interval> interval() const;
+
+    // A Place says where two features are closest at a time. `point` divides the segment between their closest points:
+    // it is at the part radius_a / p of the way from A to B. `normal` is the unit vector along the segment, from A to
+    // B. Each coordinate is rounded once.
+    struct Place {
+        Vec3 point, normal;
+    };
+    // Returns nullopt if the features are parallel, or an edge has no length. The normal is that of a segment of length
+    // p; otherwise only the point has a meaning. radius_a must be from 0 to p.
+    std::optional<Place> place(const FeaturePair& f, const RootSum& time, const ScaledInteger& radius_a) const;
 
   private:
     // A Piece is a corner, an edge, a triangle or a parallelogram of K, whose first corner is at -w.
@@ -67,6 +78,8 @@ class RoundedContact {
     }
     bool is_repeated(const FeaturePair& f) const noexcept;
     Piece piece_of(const FeaturePair& f) const;
+    static ScaledInteger square_of(const Piece& piece);
+    static ScaledLongVector across(const Piece& piece, const ScaledLongVector& x);
     Times times_of(const Piece& piece) const;
     Times of_ball(const Piece& piece) const;
     Times of_cylinder(const Piece& piece) const;
