@@ -14,9 +14,10 @@
 // triangle {i, j, j}.
 //
 // Contacts of a mesh with itself are not found, nor is there a cast of a deforming mesh with a body that turns, with a
-// rounded body or with a half space, nor one in a World.
+// rounded body or with a half space. World::cast() takes a deforming mesh against the bodies of a World, at rest.
 //
 // Example: verify/examples/how_do_i, cast_a_cloth().
+// Example: verify/examples/how_do_i, cast_a_cloth_in_a_world().
 #pragma once
 
 #include <memory>
@@ -27,6 +28,7 @@
 #include "ecods/export.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
 
@@ -43,6 +45,7 @@ class ECODS_API Deforming {
 
     const std::shared_ptr<const MeshShape>& shape() const noexcept;  // at time 0
     const Mesh& mesh_at_end() const noexcept;                        // at time 1
+    const Aabb& box() const noexcept;  // the least box that contains all triangles at all times
 
   private:
     friend struct DeformingAccess;

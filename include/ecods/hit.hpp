@@ -23,6 +23,7 @@
 // or leaves there; inside_parts() gives the parts of the line that are inside a solid.
 //
 // Example: verify/examples/how_do_i, ray().
+// Example: verify/examples/how_do_i, way_through_a_world().
 #pragma once
 
 #include <cstddef>
@@ -55,25 +56,18 @@ namespace ecods {
                                                   const Ask& ask = {});
 [[nodiscard]] ECODS_API std::vector<Hit> all_hits(const Ray& ray, const Posed<MeshShape>& body, const Ask& ask = {});
 
-// HitLists holds the hits of many lines with one body: line i has hits[first[i]] to hits[first[i + 1] - 1].
-struct HitLists {
-    std::vector<Hit> hits;
+// HitListsOf holds the hits of many lines: line i has hits[first[i]] to hits[first[i + 1] - 1].
+template <class AnyHit>
+struct HitListsOf {
+    std::vector<AnyHit> hits;
     std::vector<std::size_t> first;  // one entry more than there are lines
 
-    std::span<const Hit> of(std::size_t line) const {
+    std::span<const AnyHit> of(std::size_t line) const {
         return std::span(hits).subspan(first[line], first[line + 1] - first[line]);
     }
 };
-
-// BodyHitLists holds the hits of many lines with the bodies: line i has hits[first[i]] to hits[first[i + 1] - 1].
-struct BodyHitLists {
-    std::vector<BodyHit> hits;
-    std::vector<std::size_t> first;  // one entry more than there are lines
-
-    std::span<const BodyHit> of(std::size_t line) const {
-        return std::span(hits).subspan(first[line], first[line + 1] - first[line]);
-    }
-};
+using HitLists = HitListsOf<Hit>;          // of one body
+using BodyHitLists = HitListsOf<BodyHit>;  // of the bodies of a World
 
 // Return all_hits() of each line, in the order of the lines. The error's `index` says which line is not valid.
 [[nodiscard]] ECODS_API HitLists all_hits(std::span<const Segment> segments, const Posed<MeshShape>& body,
@@ -161,5 +155,23 @@ struct InsidePart {
                                                              const Ask& ask = {});
 [[nodiscard]] ECODS_API std::vector<InsidePart> inside_parts(const Ray& ray, const Posed<Solid>& solid,
                                                              const Ask& ask = {});
+
+// ---- answers of a World
+
+// A BodySidedHit is a hit with its normal and sides, and its body. Hits have the order and the ranks of BodyHit. The
+// sides are those of this body alone.
+struct BodySidedHit {
+    BodyId body;
+    SidedHit sided;
+};
+
+// A BodyInsidePart is a part of a line that is inside a solid. Parts are ordered by the real parameter where they
+// begin, then by id. Parts of several bodies may overlap.
+struct BodyInsidePart {
+    BodyId body;
+    InsidePart part;
+
+    friend bool operator==(const BodyInsidePart&, const BodyInsidePart&) = default;
+};
 
 }  // namespace ecods

@@ -33,8 +33,10 @@
 //
 //     first_hit 0123456789abcdef A A A B B B none      a segment; a filter: groups, mask, or none
 //     first_hit_of_ray 0123456789abcdef O O O D D D inf none
-//     all_hits, all_hits_of_ray                        the same
+//     all_hits, all_hits_of_ray, sided_hits, sided_hits_of_ray, inside_parts, inside_parts_of_ray     the same
 //     cast 0123456789abcdef 1.0 M M M 0x1p+0           body, motion, limit of time
+//     entering                                         the same
+//     cast_to_distance 0123456789abcdef 1.0 M M M 0x1p-1 0x1p+0       body, motion, distance, limit of time
 //     meetings 0123456789abcdef 2                      number of lines p that follow, as for set_poses
 //     cast_of 0123456789abcdef 1.0 translated M M M 0x1p+0            any motion; other ones are:
 //     cast_of 0123456789abcdef 1.0 straight R R R t R R R t R R R t 0x1p+0

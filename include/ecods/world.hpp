@@ -7,15 +7,15 @@
 //     for (BodyPair pair : world.colliding_pairs()) ...
 //
 // The world (FCL: CollisionManager; Box3D: b3World; Jolt: PhysicsSystem's queries) owns poses, shapes and boxes. A
-// change (create, destroy, set) takes effect for questions at once, and for the lists at the next update(). No other
-// call is needed to keep answers right. The world does not move bodies, respond to contacts, or draw. (statistics.hpp)
+// change (create, destroy, set) takes effect for questions at once, and for the lists at the next update(). The world
+// does not move bodies, respond to contacts, or draw. (statistics.hpp)
 //
 // Lifetimes: a span is valid until the next call that is not const; all other results are returned by value. Arguments
 // may be spans that the world returned. A world that was moved from can be assigned to and destroyed; is_alive()
 // returns false for it, and every other call throws MovedFromWorld.
 //
-// Thread safety: several threads may make const calls at the same time; each call that is given a QueryMemory needs one
-// of its own. While a call that is not const runs, no other call may run.
+// Thread safety: several threads may make const calls at the same time, each with its own QueryMemory, if any. While a
+// call that is not const runs, no other call may run.
 //
 // Example: verify/examples/how_do_i, world_with_events().
 #pragma once
@@ -33,6 +33,7 @@
 #include "ecods/cast.hpp"
 #include "ecods/certificate.hpp"
 #include "ecods/contact.hpp"
+#include "ecods/deforming.hpp"
 #include "ecods/error.hpp"
 #include "ecods/export.hpp"
 #include "ecods/hit.hpp"
@@ -60,8 +61,7 @@ class ECODS_API World {
     // ---- bodies
 
     // Creates a body. Throws InvalidArgument if mesh and shape are null or both are given, if the pose is not finite,
-    // or if the caller's own shape returns a bad box. Throws NotSupported if there is no test of the shape with the
-    // shape of some body, or if a clearance is set and such a test does not answer `within`.
+    // or if the caller's own shape returns a bad box; NotSupported if a test with the shape of some body is missing.
     BodyId create_body(const BodyOptions& options);
     BodyId create_body(std::shared_ptr<const Mesh> mesh, const Pose& pose);
     BodyId create_body(std::shared_ptr<const Shape> shape, const Pose& pose);
@@ -89,8 +89,8 @@ class ECODS_API World {
     void set_user_data(BodyId body, std::uint64_t data);  // a number of the caller's; no answer or digest depends on it
     std::uint64_t user_data(BodyId body) const;           // set last; 0 at first
 
-    // bodies() returns all ids, ascending. next_ids() returns the ids that the next calls of create_body() will give if
-    // no body is destroyed: first the ids of free slots, then that of a new slot (WorldOptions::ids). Cost: one pass.
+    // Return all ids, ascending; and the ids that the next calls of create_body() will give if no body is destroyed:
+    // first the ids of free slots, then that of a new slot (WorldOptions::ids). Cost: one pass.
     std::vector<BodyId> bodies() const;
     std::vector<BodyId> next_ids() const;
 
@@ -99,10 +99,9 @@ class ECODS_API World {
     // ---- the clearance, and relations
 
     // Sets the greatest distance of close_pairs(); nullopt: no pair is close. The next update applies it, and reports
-    // the events of the change. Real distances are compared, not rounded ones. (FCL: security margin; Bullet: contact
-    // breaking threshold.) Throws InvalidArgument if the distance is negative, NaN or infinite, and NotSupported if a
-    // test that the bodies here need does not answer `within`. While a clearance is set, create_body(), set_shape() and
-    // set_test() throw NotSupported in this case, too.
+    // the events of the change. Real distances are compared. (FCL: security margin; Bullet: contact breaking
+    // threshold.) Throws InvalidArgument if the distance is negative, NaN or infinite, and NotSupported if a test that
+    // bodies here need does not answer `within`; while it is set, so do create_body(), set_shape() and set_test().
     void set_clearance(std::optional<double> clearance);
     std::optional<double> clearance() const;  // set last
 
@@ -115,15 +114,14 @@ class ECODS_API World {
     //
     // A pair is filtered out if the filters of its bodies exclude it, or if it is switched off. It is then not tested,
     // and is in no list and no event, even if it collides. If a colliding pair becomes filtered out, the next update
-    // reports that it ended; if it is filtered out no more, that it began; and likewise for close pairs. nearest(),
-    // closest_pair(), closest_pairs(), cast(), meetings(), depths() and signed_distances() skip pairs that are filtered
-    // out. Questions about one pair ignore filters.
+    // reports that it ended; if it is filtered out no more, that it began; and likewise for close pairs. Questions
+    // about everything skip pairs that are filtered out; questions about one pair ignore filters.
 
     void set_filter(BodyId body, const CollisionFilter& filter);
     CollisionFilter filter(BodyId body) const;
 
-    // Switches one pair off, or on again; the order of the arguments does not matter. When one of the bodies is
-    // destroyed, the switch is forgotten. Throws SameBody. Cost: logarithmic in the number of pairs that are off.
+    // Switches one pair off, or on again, in either order of the arguments, until one of the bodies is destroyed.
+    // Throws SameBody. Cost: logarithmic in the number of pairs that are off.
     void set_pair_enabled(BodyId a, BodyId b, bool is_enabled);
     bool is_pair_enabled(BodyId a, BodyId b) const;  // according to this switch, whatever the filters are
     std::vector<BodyPair> disabled_pairs() const;    // pairs that are off, ascending; cost: one pass over them
@@ -138,15 +136,14 @@ class ECODS_API World {
     // ---- answers for the whole world, as of the last update
 
     // Brings the lists below up to date. Work is proportional to the changes: a pair keeps its verdict if neither body
-    // changed. If a caller's test throws, all other tests are still run. Then the error of the least pair that threw is
-    // thrown, the lists stay as they were, and the next update does the work again. If the executor throws or fails
-    // (ExecutorFailed), the same happens.
+    // changed. If a caller's test throws, all other tests are still run, the error of the least pair that threw is
+    // thrown, the lists stay as they were, and the next update does the work again; likewise for ExecutorFailed.
     void update();
 
     // Returns the candidates: pairs that are not filtered out and whose boxes overlap, a superset of the colliding
     // pairs. How tight boxes are is not promised, so this list alone may differ between versions and rounding modes.
-    // The first call after an update that changed the list computes it, in one pass over the candidates; so this
-    // function is not const. After an update that threw, the list is unspecified until an update succeeds.
+    // Not const: the first call after an update that changed the list computes it, in one pass. After an update that
+    // threw, the list is unspecified until an update succeeds.
     std::span<const BodyPair> overlapping_pairs();
 
     // Returns the pairs that share a point. Exact.
@@ -160,8 +157,7 @@ class ECODS_API World {
     // Returns the pairs within the clearance of the last update, colliding pairs included; empty if it had none. Exact.
     std::span<const BodyPair> close_pairs() const;
 
-    // Return the pairs that came within the clearance, and that left it, at the last update. These lists are
-    // independent of began() and ended(), and follow the same rules.
+    // Return the pairs that came within the clearance, and that left it, at the last update.
     std::span<const BodyPair> close_began() const;
     std::span<const BodyPair> close_ended() const;
 
@@ -204,8 +200,7 @@ class ECODS_API World {
     // ---- answers about everything, as of now
     //
     // All throw StaleBody and InvalidArgument for a bad subject. All throw NotSupported if a test that the question may
-    // need, of the kinds of two bodies or of the subject and a body, does not answer it, even if the bodies are far
-    // away.
+    // need, of the kinds of two bodies or of the subject and a body, does not answer it, however far away they are.
 
     // Returns the bodies whose boxes share a point with `box`, ascending: a superset of the bodies that share a point
     // with it. Cost: that of BroadPhase::find.
@@ -228,16 +223,15 @@ class ECODS_API World {
 
     // Return the closest pair, and all pairs, whose real distance is at most max_distance, with their points
     // (ClosestPair says in which order, and which distances are signed). With groups, only pairs count of which one
-    // body is in a group of groups_a and the other one in a group of groups_b, in any order (CollisionFilter::groups);
-    // a body may be in both. Throw InvalidArgument if max_distance is negative or NaN. Need tests that answer
-    // Question::within and Question::distance. If `ask` gives no memory, the executor runs closest_pairs(); calls of
-    // several threads then take turns (ExecutorFailed).
+    // body is in a group of groups_a and the other one in a group of groups_b, in any order (CollisionFilter::groups).
+    // Throw InvalidArgument if max_distance is negative or NaN. Need tests that answer Question::within and
+    // Question::distance. If `ask` gives no memory, the executor runs closest_pairs(); calls of several threads then
+    // take turns (ExecutorFailed).
     //
     // Cost of closest_pair: that of BroadPhase::visit_near_pairs; with groups, a pass over the bodies, and that of
     // visit_near from each body of the smaller group. The pair that was closest at the last call with the same memory
-    // is asked first, so the counts depend on the calls before. Of each pair that may be closer, a test of `within`; of
-    // the few that are, a distance. Cost of closest_pairs: a pass over the bodies, sorting boxes into trees, and a test
-    // of `within` for each pair whose boxes may be near enough; for each pair that is listed, its points.
+    // is asked first, so the counts depend on the calls before. Cost of closest_pairs: a pass over the bodies, trees of
+    // boxes, and a test of `within` for each pair whose boxes may be near enough.
     [[nodiscard]] std::optional<ClosestPair> closest_pair(double max_distance = no_limit, const Ask& ask = {}) const;
     [[nodiscard]] std::optional<ClosestPair> closest_pair(double max_distance, std::uint64_t groups_a,
                                                           std::uint64_t groups_b, const Ask& ask = {}) const;
@@ -258,25 +252,30 @@ class ECODS_API World {
 
     // Returns the contact patches of those colliding_pairs() that contact_patch() takes, in the order of that list, the
     // body of the lesser id first. Bodies that were moved since the last update are where they are now, and may be
-    // apart. Throws SingularPose and InvalidArgument. Cost: a pass over the list, and a contact_patch() for each.
+    // apart. Throws SingularPose and InvalidArgument.
     [[nodiscard]] std::vector<BodyPatch> contact_patches(const PatchLimits& limits = {}, const Ask& ask = {}) const;
 
-    // Return the first hit, or all hits, of a segment or ray (hit.hpp) with the bodies; if a filter is given, only with
-    // bodies that it may meet. BodyHit says in which order. Throw InvalidArgument, and NotSupported if the shape of any
-    // body here does not answer hits, wherever the body is.
-    [[nodiscard]] std::optional<BodyHit> first_hit(const Segment& segment, std::optional<CollisionFilter> filter = {},
-                                                   const Ask& ask = {}) const;
-    [[nodiscard]] std::optional<BodyHit> first_hit(const Ray& ray, std::optional<CollisionFilter> filter = {},
-                                                   const Ask& ask = {}) const;
-    [[nodiscard]] std::vector<BodyHit> all_hits(const Segment& segment, std::optional<CollisionFilter> filter = {},
-                                                const Ask& ask = {}) const;
-    [[nodiscard]] std::vector<BodyHit> all_hits(const Ray& ray, std::optional<CollisionFilter> filter = {},
-                                                const Ask& ask = {}) const;
+    // Return the first hit, or all hits, of a segment or ray (hit.hpp) with the bodies, or with those that the filter
+    // may meet, in the order of BodyHit. Throw InvalidArgument, and NotSupported if the shape of any body here does not
+    // answer hits.
+    using Filter = std::optional<CollisionFilter>;
+    [[nodiscard]] std::optional<BodyHit> first_hit(const Segment& line, Filter filter = {}, const Ask& ask = {}) const;
+    [[nodiscard]] std::optional<BodyHit> first_hit(const Ray& line, Filter filter = {}, const Ask& ask = {}) const;
+    [[nodiscard]] std::vector<BodyHit> all_hits(const Segment& line, Filter filter = {}, const Ask& ask = {}) const;
+    [[nodiscard]] std::vector<BodyHit> all_hits(const Ray& line, Filter filter = {}, const Ask& ask = {}) const;
     // Return all_hits() of each line. The error's `index` says which line is not valid.
-    [[nodiscard]] BodyHitLists all_hits(std::span<const Segment> segments, std::optional<CollisionFilter> filter = {},
-                                        const Ask& ask = {}) const;
-    [[nodiscard]] BodyHitLists all_hits(std::span<const Ray> rays, std::optional<CollisionFilter> filter = {},
-                                        const Ask& ask = {}) const;
+    [[nodiscard]] BodyHitLists all_hits(std::span<const Segment> lines, Filter filter = {}, const Ask& ask = {}) const;
+    [[nodiscard]] BodyHitLists all_hits(std::span<const Ray> lines, Filter filter = {}, const Ask& ask = {}) const;
+
+    // Return all_hits() with normals and sides; and the parts of the line that are inside solids, where surfaces have
+    // none (hit.hpp). Throw InvalidArgument, and NotSupported if the shape of any body here is no mesh or solid.
+    [[nodiscard]] std::vector<BodySidedHit> sided_hits(const Segment& line, Filter filter = {},
+                                                       const Ask& ask = {}) const;
+    [[nodiscard]] std::vector<BodySidedHit> sided_hits(const Ray& line, Filter filter = {}, const Ask& ask = {}) const;
+    [[nodiscard]] std::vector<BodyInsidePart> inside_parts(const Segment& line, Filter filter = {},
+                                                           const Ask& ask = {}) const;
+    [[nodiscard]] std::vector<BodyInsidePart> inside_parts(const Ray& line, Filter filter = {},
+                                                           const Ask& ask = {}) const;
 
     // Suppose that the subject is translated by t * `motion` at each time t (cast.hpp), or moves in any way
     // (motion.hpp); nothing is moved. Return the body that it meets first, or nullopt if it meets none up to max_time.
@@ -287,15 +286,22 @@ class ECODS_API World {
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Motion& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
+    // Returns the same for a mesh that deforms (deforming.hpp). Throws NotSupported if a body that the filter may meet
+    // is no mesh or solid. Not written to traces. Cost: BroadPhase::find, and the casts of two.
+    [[nodiscard]] std::optional<BodyContact> cast(const Deforming& mesh, double max_time = 1, Filter filter = {},
+                                                  const Ask& ask = {}) const;
+
     // Returns the first body within `distance` of the translated subject (cast_to_distance.hpp, with its errors).
-    // Throws NotSupported unless all bodies asked are meshes or rounded bodies. Not written to traces.
+    // Throws NotSupported unless it and all bodies that it may meet are meshes or rounded bodies.
     [[nodiscard]] std::optional<BodyContact> cast_to_distance(const Asked& subject, const Vec3& motion, double distance,
                                                               double max_time = 1, const Ask& ask = {}) const;
 
-    // Returns the first body that the translated subject enters (cast.hpp), by rounded times, then ids. Throws
-    // NotSupported unless all bodies asked are surfaces, or all are solids with inner points. Not written to traces.
-    [[nodiscard]] std::optional<BodyEntry> entering(const Asked& subject, const Vec3& motion,
+    // Returns the first body that the translated subject enters before max_time (cast.hpp, with its errors), by rounded
+    // times, then ids. Throws NotSupported unless it and all bodies that it may meet are surfaces, or all are solids
+    // with inner points.
+    [[nodiscard]] std::optional<BodyEntry> entering(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                     const Ask& ask = {}) const;
+
     // Returns the point and normal of a contact that cast(subject, motion) returned (contact.hpp, with its errors).
     [[nodiscard]] ContactPoint contact_point(const Asked& subject, const Vec3& motion, const BodyContact& contact,
                                              const Ask& ask = {}) const;
@@ -312,14 +318,12 @@ class ECODS_API World {
     // ---- a record of every call that changes the world (trace.hpp)
 
     // Begins a trace: writes the present bodies and settings, then every call that succeeds. The trace ends at
-    // end_trace(), at another trace_to(), or with the world; the stream must outlive it. Without a trace there is no
-    // cost; with one, the cost is the text, and a digest at each update. Throws NotSupported, and begins no trace, if
-    // the shape of a body cannot be written. While a trace runs, create_body() and set_shape() also throw NotSupported
-    // for such a shape. If the stream fails, the trace ends; the calls of the world still succeed.
+    // end_trace(), at another trace_to(), or with the world; the stream must outlive it. Cost: the text, and a digest
+    // at each update. Throws NotSupported, and begins no trace, if the shape of a body cannot be written; while it
+    // runs, so do create_body() and set_shape(). If the stream fails, the trace ends; the world's calls still succeed.
     void trace_to(std::ostream& out, TraceOptions options = {});
 
-    // Ends the trace, if there is one. Throws TraceFailed if a part of it could not be written.
-    void end_trace();
+    void end_trace();  // if there is a trace. Throws TraceFailed if a part of it could not be written
 
     // ---- inspection
 
@@ -327,14 +331,13 @@ class ECODS_API World {
     WorldCertificate certify(const Ask& ask = {}) const;
     Statistics statistics() const;
 
-    // Checks every invariant, also the broad phase's, and repeats the test of every cached verdict. Call it after an
-    // update that succeeded. Throws BrokenInvariant; ShapeChanged if a caller's shape has changed. Slow: for tests.
+    // Checks every invariant, and repeats the test of every cached verdict. Call it after an update that succeeded.
+    // Throws BrokenInvariant; ShapeChanged if a caller's shape has changed. Slow: for tests.
     void check_invariants() const;
 
-    // Returns a hash of the bodies (shapes, poses) and of the colliding pairs as of the last update. If that update had
-    // a clearance, the clearance and the close pairs are included; if it listed relations, the relations. Equal scenes
-    // have equal digests, whatever their ids, history or broad phase are. A filter affects the digest only through the
-    // pairs that it removes.
+    // Returns a hash of the bodies (shapes, poses) and of the colliding pairs as of the last update; and of clearance
+    // and close pairs, and relations, if it had them. Equal scenes have equal digests, whatever their ids, history or
+    // broad phase are. A filter affects the digest only through the pairs that it removes.
     std::uint64_t digest() const;
 
   private:

@@ -107,9 +107,9 @@ struct TraceOptions {
     // function, or it returns more than a line, a call that adds such a shape throws NotSupported.
     std::function<std::string(const Shape&)> write_shape = nullptr;
 
-    // If true, questions are written, too (trace.hpp names them), unless the caller gives a memory; nearest() and
-    // cast() are written only if the subject is a body without a filter. A question that throws is not written. A
-    // replay asks the questions again and compares the answers.
+    // If true, questions are written, too (trace.hpp names them), unless the caller gives a memory; those about a
+    // subject (nearest, cast, cast_to_distance, entering) are written only if it is a body without a filter. A question
+    // that throws is not written. A replay asks the questions again and compares the answers.
     bool questions = false;
 };
 

@@ -288,7 +288,6 @@ struct CopyFields {
     void answer(const auto& from, auto& to) const { to = from; }
     void line(const auto& from, auto& to) const { to = from; }
     void motion(const auto& from, auto& to) const { to = from; }
-    void any_motion(const auto& from, auto& to) const { to = from; }
     void moved_bodies(const auto& from, auto& to, const auto& from_motions, auto& to_motions) const {
         posed_bodies(from, to, from_motions, to_motions);
     }

@@ -5,8 +5,8 @@
 // `fields` passes these kinds of fields, besides the kinds of calls.hpp:
 //
 //     answer     the digest                             number           0 or more, infinity included
-//     line       a segment or a ray                     motion, any_motion, point, optional_filter, groups
-//     moved_bodies   as many bodies as motions
+//     line       a segment or a ray                     motion   a vector, or a Motion
+//     moved_bodies   as many bodies as poses or motions      point, optional_filter, groups
 #pragma once
 
 #include <cstdint>
@@ -68,11 +68,35 @@ struct UpTo {
 };
 
 template <class Names>
-struct Cast {
-    static constexpr std::string_view name = "cast";
+struct SidedHits : OfLine<Segment> {
+    static constexpr std::string_view name = "sided_hits";
+    auto ask(auto& world) const { return world.sided_hits(line, filter); }
+};
+
+template <class Names>
+struct SidedHitsOfRay : OfLine<Ray> {
+    static constexpr std::string_view name = "sided_hits_of_ray";
+    auto ask(auto& world) const { return world.sided_hits(line, filter); }
+};
+
+template <class Names>
+struct InsideParts : OfLine<Segment> {
+    static constexpr std::string_view name = "inside_parts";
+    auto ask(auto& world) const { return world.inside_parts(line, filter); }
+};
+
+template <class Names>
+struct InsidePartsOfRay : OfLine<Ray> {
+    static constexpr std::string_view name = "inside_parts_of_ray";
+    auto ask(auto& world) const { return world.inside_parts(line, filter); }
+};
+
+// Holds the fields of questions about a body that moves: AnyMotion is a vector, of a translation, or a Motion.
+template <class Names, class AnyMotion>
+struct OfMotion {
     std::uint64_t answer;
     typename Names::Body body;
-    Vec3 motion;
+    AnyMotion motion;
     double max_time;
 
     static void fields(auto&& each, auto&... call) {
@@ -81,52 +105,66 @@ struct Cast {
         each.motion(call.motion...);
         each.number(call.max_time...);
     }
-    auto ask(auto& world) const { return world.cast(body, motion, max_time); }
 };
 
 template <class Names>
-struct CastOf {
+struct Cast : OfMotion<Names, Vec3> {
+    static constexpr std::string_view name = "cast";
+    auto ask(auto& world) const { return world.cast(this->body, this->motion, this->max_time); }
+};
+
+template <class Names>
+struct CastOf : OfMotion<Names, Motion> {
     static constexpr std::string_view name = "cast_of";
+    auto ask(auto& world) const { return world.cast(this->body, this->motion, this->max_time); }
+};
+
+template <class Names>
+struct Entering : OfMotion<Names, Vec3> {
+    static constexpr std::string_view name = "entering";
+    auto ask(auto& world) const { return world.entering(this->body, this->motion, this->max_time); }
+};
+
+template <class Names>
+struct CastToDistance {
+    static constexpr std::string_view name = "cast_to_distance";
     std::uint64_t answer;
     typename Names::Body body;
-    Motion motion;
-    double max_time;
+    Vec3 motion;
+    double distance, max_time;
 
     static void fields(auto&& each, auto&... call) {
         each.answer(call.answer...);
         each.body(call.body...);
-        each.any_motion(call.motion...);
+        each.motion(call.motion...);
+        each.number(call.distance...);
         each.number(call.max_time...);
     }
-    auto ask(auto& world) const { return world.cast(body, motion, max_time); }
+    auto ask(auto& world) const { return world.cast_to_distance(body, motion, distance, max_time); }
+};
+
+// Holds the fields of questions about bodies that all move, each to a pose or by a Motion.
+template <class Names, class Way>
+struct OfWays {
+    std::uint64_t answer;
+    typename Names::template List<typename Names::Body> bodies;
+    typename Names::template List<Way> ways;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.moved_bodies(call.bodies..., call.ways...);
+    }
+    auto ask(auto& world) const { return world.meetings(bodies, ways); }
 };
 
 template <class Names>
-struct Meetings {
+struct Meetings : OfWays<Names, Pose> {
     static constexpr std::string_view name = "meetings";
-    std::uint64_t answer;
-    typename Names::template List<typename Names::Body> bodies;
-    typename Names::template List<Pose> poses;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.posed_bodies(call.bodies..., call.poses...);
-    }
-    auto ask(auto& world) const { return world.meetings(bodies, poses); }
 };
 
 template <class Names>
-struct MeetingsOfMotions {
+struct MeetingsOfMotions : OfWays<Names, Motion> {
     static constexpr std::string_view name = "meetings_of";
-    std::uint64_t answer;
-    typename Names::template List<typename Names::Body> bodies;
-    typename Names::template List<Motion> motions;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.moved_bodies(call.bodies..., call.motions...);
-    }
-    auto ask(auto& world) const { return world.meetings(bodies, motions); }
 };
 
 template <class Names>
@@ -213,9 +251,11 @@ struct SolidDistances : UpTo {
 };
 
 template <class Names>
-using Question = std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
-                              Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>, Depths<Names>,
-                              SolidDistances<Names>, SignedDistances<Names>, ClosestOfGroups<Names>,
-                              ClosestPairs<Names>, CastOf<Names>, MeetingsOfMotions<Names>>;
+using Question =
+    std::variant<FirstHit<Names>, FirstHitOfRay<Names>, AllHits<Names>, AllHitsOfRay<Names>, Cast<Names>,
+                 Meetings<Names>, Nearest<Names>, ClosestOfAll<Names>, BodiesAtPoint<Names>, Depths<Names>,
+                 SolidDistances<Names>, SignedDistances<Names>, ClosestOfGroups<Names>, ClosestPairs<Names>,
+                 CastOf<Names>, MeetingsOfMotions<Names>, Entering<Names>, CastToDistance<Names>, SidedHits<Names>,
+                 SidedHitsOfRay<Names>, InsideParts<Names>, InsidePartsOfRay<Names>>;
 
 }  // namespace ecods::calls

@@ -72,7 +72,7 @@ Quaternion FieldReader::quaternion() {
     return q;
 }
 
-void FieldReader::any_motion(Motion& motion) {
+void FieldReader::motion(Motion& motion) {
     const std::string_view name = lines_.word("a motion");
     if (name == "translated") {
         motion = Translation{lines_.point()};
@@ -102,7 +102,7 @@ void FieldReader::moved_bodies(std::vector<calls::Label>& bodies, std::vector<Mo
     for (std::uint64_t i = 0; i < count; ++i) {
         lines_.require_next("m");
         bodies.push_back(known_body()->second);
-        any_motion(motions.emplace_back());
+        motion(motions.emplace_back());
         lines_.require_end();
     }
 }

@@ -93,7 +93,8 @@ class FieldReader {
     void line(Segment& segment);
     void line(Ray& ray);
     void motion(Vec3& motion) { motion = lines_.point(); }
-    void any_motion(Motion& motion);
+    void motion(Motion& motion);
+    void moved_bodies(std::vector<calls::Label>& bodies, std::vector<Pose>& poses) { posed_bodies(bodies, poses); }
     void moved_bodies(std::vector<calls::Label>& bodies, std::vector<Motion>& motions);
     void point(Vec3& point) { point = lines_.point(); }
     void number(double& number) { number = lines_.number(); }

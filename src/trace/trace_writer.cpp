@@ -35,11 +35,11 @@ void TraceWriter::FieldWriter::moved_bodies(std::span<const BodyId> bodies, std:
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         writer.end_line();
         put("m", bodies[i]);
-        any_motion(motions[i]);
+        motion(motions[i]);
     }
 }
 
-void TraceWriter::FieldWriter::any_motion(const Motion& motion) const {
+void TraceWriter::FieldWriter::motion(const Motion& motion) const {
     if (const auto* const translation = std::get_if<Translation>(&motion)) return put("translated", translation->by);
     if (const auto* const straight = std::get_if<Straight>(&motion)) return put("straight", straight->to);
     if (const auto* const along = std::get_if<Along>(&motion)) {

@@ -77,7 +77,10 @@ class TraceWriter {
         void line(const Segment& segment) const { put(segment.a, segment.b); }
         void line(const Ray& ray) const { put(ray.origin, ray.direction, ray.max_parameter); }
         void motion(const Vec3& motion) const { put(motion); }
-        void any_motion(const Motion& motion) const;
+        void motion(const Motion& motion) const;
+        void moved_bodies(std::span<const BodyId> bodies, std::span<const Pose> poses) const {
+            posed_bodies(bodies, poses);
+        }
         void moved_bodies(std::span<const BodyId> bodies, std::span<const Motion> motions) const;
         void point(const Vec3& point) const { put(point); }
         void number(double number) const { put(number); }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "base/hash.hpp"
+#include "ecods/cast.hpp"
+#include "ecods/hit.hpp"
 #include "ecods/results.hpp"
 
 namespace ecods {
@@ -36,14 +38,29 @@ class AnswerDigest {
     void take(const Feature& feature) noexcept {
         take(std::uint64_t{feature.triangle} << 32 | feature.corner << 8 | static_cast<std::uint64_t>(feature.kind));
     }
-    void take(const BodyHit& hit) noexcept {
-        const Hit& h = hit.hit;
-        take(hit.body, h.parameter, h.leave_parameter);
+    void take(BodyId body, const Hit& h) noexcept {
+        take(body, h.parameter, h.leave_parameter);
         take(std::uint64_t{h.rank} << 8 | static_cast<std::uint64_t>(h.kind));
         take(h.feature, h.point, h.leave_point);
     }
+    void take(const BodyHit& hit) noexcept { take(hit.body, hit.hit); }
+    void take(const BodySidedHit& hit) noexcept {
+        const SidedHit& s = hit.sided;
+        take(hit.body, s.hit);
+        take(static_cast<std::uint64_t>(s.passage) << 16 | static_cast<std::uint64_t>(s.before) << 8 |
+             static_cast<std::uint64_t>(s.after));
+        take(s.normal);
+    }
+    void take(const BodyInsidePart& inside) noexcept {
+        const InsidePart& p = inside.part;
+        take(inside.body, p.from, p.to, p.from_point, p.to_point);
+        take(static_cast<std::uint64_t>(p.begin) << 8 | static_cast<std::uint64_t>(p.end));
+    }
     void take(const FirstContact& contact) noexcept {
         take(contact.time, static_cast<std::uint64_t>(contact.kind), contact.a, contact.b);
+    }
+    void take(const BodyEntry& entered) noexcept {
+        take(entered.body, entered.entry.time, entered.entry.a, entered.entry.b);
     }
     void take(const BodyContact& met) noexcept { take(met.body, met.contact); }
     void take(const Meeting& meeting) noexcept { take(meeting.bodies, meeting.contact); }

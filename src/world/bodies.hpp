@@ -2,6 +2,7 @@
 // not here: the overlap tracker stores them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -125,6 +126,13 @@ class Bodies {
     }
     // Returns the number of living bodies by kind. A kind without living bodies may be listed, with 0.
     const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
+
+    // Returns true if is_allowed(kind) is true for the kinds of all living bodies. Cost: a pass over the kinds.
+    template <class Function>
+    bool have_kinds(const Function& is_allowed) const {
+        return std::ranges::all_of(kind_counts_,
+                                   [&](const auto& each) { return each.second == 0 || is_allowed(each.first); });
+    }
 
     // Returns the least kind that has a living body whose shape does not answer Question::hits; nullopt if all shapes
     // answer it. Cost: constant if all answer it, otherwise one pass over the slots.

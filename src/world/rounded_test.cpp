@@ -1,5 +1,6 @@
 #include "world/rounded_test.hpp"
 
+#include "ecods/error.hpp"
 #include "ecods/rounded.hpp"
 #include "query/body/rounded_pair.hpp"
 #include "world/bodies.hpp"
@@ -63,6 +64,12 @@ std::optional<CoreAndRadius> core_and_radius(const Posed<Shape>& posed) {
     if (kind == ShapeKind::mesh()) return Posed<MeshShape>(static_cast<const MeshShape&>(*posed.what), posed.pose);
     if (!is_rounded(kind)) return std::nullopt;
     return Posed<Rounded>(static_cast<const Rounded&>(*posed.what), posed.pose);
+}
+
+CoreAndRadius require_core(const Posed<Shape>& posed) {
+    const auto core = core_and_radius(posed);
+    if (!core) throw NotSupported(Question::cast, posed.what->kind(), ShapeKind::mesh());
+    return *core;
 }
 
 void add_rounded_tests(TwoBodyTests& tests) {

@@ -1,10 +1,7 @@
-#include <limits>
-
-#include "base/double_key.hpp"
-#include "geometry/find_invalid.hpp"
 #include "query/intersection/asking.hpp"
-#include "world/least.hpp"
-#include "world/world_impl.hpp"
+#include "query/patch/rounded_contact_point.hpp"
+#include "world/first_met.hpp"
+#include "world/rounded_test.hpp"
 
 namespace ecods {
 namespace {
@@ -22,30 +19,32 @@ bool is_solid(const Posed<MeshShape>& mesh) noexcept {
     return mesh.what->form() != MeshForm::surface;
 }
 
+// Returns true if all bodies have meshes of one form: solids, or surfaces. Cost: a pass over the kinds.
+bool have_form(const Bodies& bodies, bool are_solids) {
+    return bodies.have_kinds([](ShapeKind kind) { return kind == ShapeKind::mesh(); }) &&
+           bodies.solid_count() == (are_solids ? bodies.alive_count() : 0);
+}
+
 }  // namespace
 
-std::optional<BodyEntry> World::entering(const Asked& asked, const Vec3& motion, const Ask& ask) const {
+std::optional<BodyEntry> World::entering(const Asked& asked, const Vec3& motion, double max_time,
+                                         const Ask& ask) const {
     const Impl& w = impl();
     const Subject subject = w.subject_of(asked);
-    validate_motion(motion);
+    auto first = search_along<FirstBodyEntered>(motion, max_time);
     const Posed<MeshShape> mover = mesh_at(subject.posed);
-    for (ProxyIndex proxy = 0; proxy < w.bodies.end(); ++proxy) {
-        if (!w.bodies[proxy].is_alive() || w.passes_over(subject, proxy)) continue;
-        if (is_solid(mesh_at(w.bodies[proxy].posed())) != is_solid(mover)) {
+    if (!have_form(w.bodies, is_solid(mover))) {
+        w.for_each_asked(subject, [&](const Slot& slot) {
+            if (is_solid(mesh_at(slot.posed())) == is_solid(mover)) return;
             throw NotSupported("entering: the subject and all bodies must be surfaces, or all solids");
-        }
+        });
     }
     Asking asking(ask);
-    Least<ProxyIndex> least(1);
-    FirstEntry entry;
-    w.broad_phase.visit_along(w.box_of(subject), motion, least.bound(), [&](ProxyIndex proxy) {
-        if (w.passes_over(subject, proxy) || !least.reach(proxy)) return least.bound();
-        const auto found = ecods::entering(mover, motion, mesh_at(w.bodies[proxy].posed()), 1, asking.memory());
-        if (found && least.take(proxy, found->time)) entry = *found;
-        return least.bound();
+    // Asks up to max_time, which an entry must precede, and not up to the time of another entry, which it may tie with.
+    first.visit(w, subject, w.box_of(subject), motion, [&](const Slot& slot, double) {
+        return ecods::entering(mover, motion, mesh_at(slot.posed()), max_time, asking.memory());
     });
-    if (!least.has_name()) return std::nullopt;
-    return BodyEntry{w.bodies.id_of(least.name()), entry};
+    return w.traced_of<calls::Entering>(ask, first.answer(w.bodies), asked, motion, max_time);
 }
 
 ContactPoint World::contact_point(const Asked& asked, const Vec3& motion, const BodyContact& contact,
@@ -53,7 +52,8 @@ ContactPoint World::contact_point(const Asked& asked, const Vec3& motion, const 
     const Impl& w = impl();
     const Subject subject = w.subject_of(asked);
     const ProxyIndex proxy = w.bodies.require(contact.body);
-    return ecods::contact_point(mesh_at(subject.posed), motion, mesh_at(w.bodies[proxy].posed()), contact.contact, ask);
+    const RoundedPair bodies{require_core(subject.posed), require_core(w.bodies[proxy].posed())};
+    return ecods::contact_point(bodies, motion, contact.contact, ask);
 }
 
 }  // namespace ecods

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "broad_phase/changes/pair_events.hpp"
@@ -55,6 +56,13 @@ struct World::Impl {
     bool passes_over(const Subject& subject, ProxyIndex other) const;
     Aabb box_of(const Subject& subject) const;
     void require_tests_for(const Subject& subject, std::optional<Question> question = {}) const;
+    // Calls act(slot) for each body that a question about the subject does not skip. Cost: a pass over the slots.
+    template <class Function>
+    void for_each_asked(const Subject& subject, const Function& act) const {
+        for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
+            if (bodies[proxy].is_alive() && !passes_over(subject, proxy)) act(bodies[proxy]);
+        }
+    }
 
     // PairOrder says in which order a question gets the two subjects. With lesser_id_first, the body with the lesser id
     // comes first, so that both orders of the arguments break ties alike. pair_of() throws SameBody, NotSupported, and
@@ -132,6 +140,13 @@ struct World::Impl {
             trace->write<Row>(digest, arguments...);
         }
         return answer;
+    }
+    // Returns the answer to a question about a subject: traced if the subject is a body without a filter.
+    template <template <class> class Row, class Answer, class... Arguments>
+    Answer traced_of(const Ask& ask, Answer answer, const Asked& asked, const Arguments&... arguments) const noexcept {
+        const BodyId* const body = std::get_if<BodyId>(&asked.what());
+        if (body == nullptr || asked.filter()) return answer;
+        return traced<Row>(ask, std::move(answer), *body, arguments...);
     }
 
     bool are_solids_surfaces = false;  // true while a trace of version 1 is replayed (WorldAccess)

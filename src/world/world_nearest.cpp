@@ -51,9 +51,7 @@ std::optional<NearestBody> World::nearest(const Asked& asked, double max_distanc
             least, proxy, [&](double d) { return test.ask(subject.posed, other, &TwoBodyTest::within, d, in_memory); },
             [&] { return test.ask(subject.posed, other, &TwoBodyTest::distance, in_memory); });
     });
-    auto found = nearest_of(least, w.bodies);
-    const BodyId* const body = std::get_if<BodyId>(&asked.what());
-    return body != nullptr && !subject.filter ? w.traced<calls::Nearest>(ask, found, *body, max_distance) : found;
+    return w.traced_of<calls::Nearest>(ask, nearest_of(least, w.bodies), asked, max_distance);
 }
 
 }  // namespace ecods

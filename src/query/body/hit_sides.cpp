@@ -7,6 +7,7 @@
 #include "exact/measure/round/long_rounding.hpp"
 #include "exact/point/posed_point.hpp"
 #include "exact/point/vectors.hpp"
+#include "query/body/inside_parts.hpp"
 #include "query/body/line_gaps.hpp"
 #include "query/body/starts_inside.hpp"
 #include "query/intersection/asking.hpp"
@@ -141,14 +142,12 @@ PartEnd end_of(Side beyond) noexcept {
 }
 
 template <class SegmentOrRay>
-std::vector<InsidePart> find_parts(const SegmentOrRay& asked, const Posed<Solid>& solid, const Ask& ask) {
-    validate(asked);
-    Asking asking(ask);
+std::vector<ExactPart> find_parts(const SegmentOrRay& asked, const Posed<Solid>& solid, QueryMemory& memory) {
     const Line line(asked);
     const PosedBody body{Posed<MeshShape>(solid)};
-    return as_one_query(asking.memory(), [&] {
-        const LineGaps gaps(line, body, asking.memory());
-        std::vector<InsidePart> parts;
+    return as_one_query(memory, [&] {
+        const LineGaps gaps(line, body, memory);
+        std::vector<ExactPart> parts;
         if (LineGaps::is_point(line) || !body.has_inside()) return parts;
         for (const LineGaps::Gap& gap : gaps.gaps()) {
             if (gap.side != Side::inside) continue;
@@ -164,10 +163,19 @@ std::vector<InsidePart> find_parts(const SegmentOrRay& asked, const Posed<Solid>
             const bool ends_line = is_last && gaps.is_at_end(*gap.to) && !gaps.ends_on_surface();
             part.begin = begins_line ? PartEnd::of_line : end_of(gaps.before(gap.from));
             part.end = ends_line ? PartEnd::of_line : end_of(gaps.after(*gap.to));
-            parts.push_back(part);
+            parts.push_back({gap.from, part});
         }
         return parts;
     });
+}
+
+template <class SegmentOrRay>
+std::vector<InsidePart> round_parts(const SegmentOrRay& asked, const Posed<Solid>& solid, const Ask& ask) {
+    validate(asked);
+    Asking asking(ask);
+    std::vector<InsidePart> parts;
+    for (const ExactPart& each : find_parts(asked, solid, asking.memory())) parts.push_back(each.part);
+    return parts;
 }
 
 }  // namespace
@@ -186,11 +194,18 @@ std::optional<Vec3> hit_normal(const Ray& ray, const Posed<MeshShape>& body, con
     return find_normal(ray, body, hit, ask);
 }
 
+std::vector<ExactPart> exact_parts(const Segment& segment, const Posed<Solid>& solid, QueryMemory& memory) {
+    return find_parts(segment, solid, memory);
+}
+std::vector<ExactPart> exact_parts(const Ray& ray, const Posed<Solid>& solid, QueryMemory& memory) {
+    return find_parts(ray, solid, memory);
+}
+
 std::vector<InsidePart> inside_parts(const Segment& segment, const Posed<Solid>& solid, const Ask& ask) {
-    return find_parts(segment, solid, ask);
+    return round_parts(segment, solid, ask);
 }
 std::vector<InsidePart> inside_parts(const Ray& ray, const Posed<Solid>& solid, const Ask& ask) {
-    return find_parts(ray, solid, ask);
+    return round_parts(ray, solid, ask);
 }
 
 }  // namespace ecods

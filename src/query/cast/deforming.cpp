@@ -1,10 +1,13 @@
 #include "query/cast/deforming.hpp"
 
+#include <cstdint>
 #include <utility>
 
+#include "base/double_key.hpp"
 #include "base/make_error.hpp"
 #include "bvh/tree/moving_tree.hpp"
 #include "exact/point/mesh_extent.hpp"
+#include "geometry/used_vertices.hpp"
 #include "query/shape/mesh_tree.hpp"
 
 namespace ecods {
@@ -17,6 +20,23 @@ std::shared_ptr<const Mesh> with_triangles_of(const std::shared_ptr<const MeshSh
     return Mesh::create(std::move(vertices), {triangles.begin(), triangles.end()});
 }
 
+// Returns the box of both meshes. Each vertex moves on a straight line, so it stays in the box of its ends. Compares
+// keys, because the processor may take subnormal numbers for zero.
+Aabb box_of_ends(const Mesh& start, const Mesh& end) {
+    const std::uint32_t first = start.triangles().front()[0];
+    Aabb box{start.vertices()[first], start.vertices()[first]};
+    for (const Mesh* const mesh : {&start, &end}) {
+        for_each_used_vertex(*mesh, [&](std::uint32_t index) {
+            const Vec3& v = mesh->vertices()[index];
+            for (int k = 0; k < 3; ++k) {
+                if (key_of(v[k]) < key_of(box.min[k])) box.min[k] = v[k];
+                if (key_of(v[k]) > key_of(box.max[k])) box.max[k] = v[k];
+            }
+        });
+    }
+    return box;
+}
+
 }  // namespace
 
 struct Deforming::Parts {
@@ -26,7 +46,8 @@ struct Deforming::Parts {
           tree_at_end(with_other_vertices(MeshShapeAccess::tree(*start).boxes, *end)),
           shape(std::move(start)),
           surface(shape->form() == MeshForm::surface ? shape : MeshShapeAccess::surface(*shape)),
-          at_start(*surface, Pose()) {}
+          at_start(*surface, Pose()),
+          box(box_of_ends(shape->mesh(), *end)) {}
 
     std::shared_ptr<const Mesh> end;
     exact::MeshExtent extent_at_end;
@@ -35,6 +56,7 @@ struct Deforming::Parts {
     std::shared_ptr<const MeshShape> surface;  // shares the tree of the shape
     Posed<MeshShape> at_start;
     Pose pose_at_end;
+    Aabb box;
 };
 
 Deforming::Deforming(std::shared_ptr<const MeshShape> shape, std::vector<Vec3> vertices_at_end)
@@ -45,6 +67,9 @@ const std::shared_ptr<const MeshShape>& Deforming::shape() const noexcept {
 }
 const Mesh& Deforming::mesh_at_end() const noexcept {
     return *parts_->end;
+}
+const Aabb& Deforming::box() const noexcept {
+    return parts_->box;
 }
 
 const Posed<MeshShape>& DeformingAccess::at_start(const Deforming& mesh) {

@@ -239,9 +239,12 @@ int main() {
     where_a_line_goes_in();
     cast_on_its_way();
     contact_with_a_normal();
+    ball_on_a_floor();
     slide_and_enter();
     stop_at_a_distance();
     cast_a_cloth();
+    cast_a_cloth_in_a_world();
+    way_through_a_world();
     turn_past_a_post();
     turn_all_the_way();
     move_at_once();

@@ -28,6 +28,17 @@ void contact_with_a_normal() {
     fmt::print("contact with a normal: at {}, along {}\n", text(at.point), text(*at.normal));
 }
 
+void ball_on_a_floor() {
+    const auto cube = unit_cube();
+    const Posed<Rounded> ball(sphere(0.5), {.t = {0.25, 0.5, 5}});
+    const Posed<MeshShape> floor(cube, Pose{});
+    const Vec3 motion(1, 0, -8);
+    const auto contact = cast(ball, motion, floor);
+    if (!contact) return;
+    const ContactPoint at = contact_point(ball, motion, floor, *contact);
+    fmt::print("ball on a floor: at {}, along {}\n", text(at.point), text(*at.normal));
+}
+
 // A cube that stands on another one slides off it freely; pushed down, it enters at once.
 void slide_and_enter() {
     const auto cube = unit_cube();
@@ -53,6 +64,34 @@ void cast_a_cloth() {
     const Deforming cloth(sheet, {{0, 0, 3}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}});
     const auto contact = cast(cloth, {unit_cube(), Pose{}});
     if (contact) fmt::print("cast a cloth: meets at time {}\n", contact->time);
+}
+
+// Which body of a World does the sheet meet first?
+void cast_a_cloth_in_a_world() {
+    World world;
+    for (const double x : {0.0, 1.0}) world.create_body(unit_cube(), {.t = {x, 0, x}});
+    const std::vector<Vec3> corners{{0, 0, 4}, {2, 0, 4}, {2, 1, 4}, {0, 1, 4}};
+    const auto sheet = std::make_shared<const MeshShape>(Mesh::create(corners, {Triangle{0, 1, 2}, {0, 2, 3}}));
+    const Deforming cloth(sheet, {{0, 0, 4}, {2, 0, 0}, {2, 1, 0}, {0, 1, 4}});
+    if (const auto met = world.cast(cloth)) {
+        fmt::print("cast a cloth in a world: meets {} at time {:.3f}\n", fmt::streamed(met->body), met->contact.time);
+    }
+}
+
+// A ray goes through the bodies of a World, and a cube goes into the first of them.
+void way_through_a_world() {
+    World world;
+    for (const double x : {0.0, 3.0}) world.create_body(unit_cube(), {.t = {x, 0, 0}});
+    const Ray ray{.origin = {-1, 0.25, 0.5}, .direction = {1, 0, 0}};
+    for (const BodyInsidePart& part : world.inside_parts(ray)) {
+        fmt::print("way through a world: in {} from {} to {}\n", fmt::streamed(part.body), part.part.from,
+                   part.part.to);
+    }
+    const BodySidedHit first = world.sided_hits(ray).front();
+    fmt::print("way through a world: enters {}, normal {}\n", fmt::streamed(first.body), text(*first.sided.normal));
+    if (const auto entry = world.entering({unit_cube(), {.t = {-3, 0, 0}}}, {4, 0, 0})) {
+        fmt::print("way through a world: a cube enters {} at time {}\n", fmt::streamed(entry->body), entry->entry.time);
+    }
 }
 
 // A rod turns by a quarter about its end, as a joint of a robot does. If each of its points went straight, it would be

@@ -3,6 +3,7 @@
 // fails.
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "ecods/contact.hpp"
 #include "ecods/deforming.hpp"
 #include "ecods/hit.hpp"
+#include "ecods/rounded.hpp"
 #include "ecods/world.hpp"
 #include "unit/allocation/pair_scene.hpp"
 
@@ -110,13 +112,38 @@ const PairCall questions[] = {
          const Posed<Shape> mover(*p.a, {.t = {6, 0.25, 0.125}});
          const Vec3 motion(-8, 0, 0);
          Digest all;
-         const auto entry = world.entering(mover, motion, p.memory);
+         const auto entry = world.entering(mover, motion, 0.875, p.memory);
          all.add(entry ? entry->entry.time : -1);
          const auto contact = world.cast(mover, motion, 1, p.memory);
          if (contact && contact->contact.time > 0)
              all.add(world.contact_point(mover, motion, *contact, p.memory).point);
          const std::vector<Segment> lines{through};
          for (const BodyHit& hit : world.all_hits(lines, {}, p.memory).hits) all.add(hit.hit);
+         p.answer = all.value();
+     }},
+    {"sides of hits, parts inside and casts of a Deforming of a World",
+     [](Pair& p) {
+         World world;
+         world.create_body(std::make_shared<const Solid>(scenes::cube(1)), p.pose_a);
+         world.create_body(std::make_shared<const Solid>(p.b->mesh_ptr()), p.pose_b);
+         Digest all;
+         for (const BodySidedHit& hit : world.sided_hits(through, {}, p.memory)) all.add(hit.sided.hit);
+         for (const BodyInsidePart& part : world.inside_parts(along_an_edge, {}, p.memory)) all.add(part.part.to_point);
+         std::vector<Vec3> vertices(p.a->mesh().vertices().begin(), p.a->mesh().vertices().end());
+         for (Vec3& v : vertices) v = Vec3(2 * v[1] - 1, v[0] + 0.25, -v[2]);
+         const auto contact = world.cast(Deforming(p.a, std::move(vertices)), 1, {}, p.memory);
+         all.add(contact ? contact->contact.time : -1);
+         p.answer = all.value();
+     }},
+    {"contact_point of rounded bodies",
+     [](Pair& p) {
+         const Posed<Rounded> ball(sphere(0.5), {.t = {5, 0.25, 0.125}});
+         const Vec3 motion(-8, 0, 0);
+         const auto contact = cast(ball, motion, p.first(), 1, {p.memory, p.witness});
+         const ContactPoint found = contact_point(ball, motion, p.first(), *contact, p.memory);
+         Digest all;
+         all.add(found.point);
+         all.add(found.normal);
          p.answer = all.value();
      }},
 };

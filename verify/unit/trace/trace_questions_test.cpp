@@ -45,6 +45,12 @@ std::string traced(const TraceOptions& options) {
     const Along nodes{{{{2, 0, 0, 0}, Vec3(3, 0, 0)}, {{0, 0, 1, 0}, Vec3(3, 0, 0)}, {{0, 0, 1, 1}, Vec3(4, 0.1, 0)}}};
     std::ignore = world.cast(bodies[0], nodes, 0.75);
     std::ignore = world.meetings(std::vector{bodies[2], bodies[0]}, std::vector<Motion>{nodes, Translation()});
+    std::ignore = world.cast_to_distance(bodies[0], Vec3(8, 0, 0), 0.5, 0.75);
+    const Segment through{Vec3(-2, 0.25, 0.125), Vec3(24, 0.25, 0.125)};
+    std::ignore = world.sided_hits(through);
+    std::ignore = world.inside_parts(through, CollisionFilter{});
+    std::ignore = world.sided_hits(Ray{Vec3(24, 0, 0), Vec3(-1, 0, 0)});
+    std::ignore = world.inside_parts(Ray{Vec3(20, 0, 0), Vec3(1, 0, 0), 5.5});
     std::ignore = world.bodies_containing(Vec3(0.25, 0.25, 0));
     std::ignore = world.depths();
     std::ignore = world.signed_distances(1);
@@ -82,9 +88,12 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
     EXPECT_EQ(count_of("\ncast_of ", with), 3u);
     EXPECT_EQ(count_of("\nmeetings_of ", with), 3u);
-    EXPECT_EQ(count_of(" along 3 0x1p+1 ", with), 2u);
     EXPECT_EQ(count_of(" translated ", with) + count_of(" turned ", with), 4u);
-    EXPECT_EQ(count_of("\nbodies_containing ", with), 1u);
+    EXPECT_EQ(count_of(" along 3 0x1p+1 ", with), 2u);
+    for (const std::string name : {"cast_to_distance", "sided_hits", "sided_hits_of_ray", "inside_parts",
+                                   "inside_parts_of_ray", "bodies_containing"}) {
+        EXPECT_EQ(count_of("\n" + name + " ", with), 1u) << name;
+    }
     EXPECT_EQ(count_of("\ndepths ", with), 1u);
     EXPECT_EQ(count_of("\nsigned_distances ", with), 1u);
     EXPECT_NE(with.find(" inf 2 10\n"), std::string::npos) << with;
@@ -94,10 +103,35 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
                             BroadPhaseKind::kept_candidates, BroadPhaseKind::automatic}) {
         const ReplayReport report = replayed(with, kind);
         EXPECT_FALSE(report.difference) << report.difference->what;
-        EXPECT_EQ(report.question_count, 19u);
+        EXPECT_EQ(report.question_count, 24u);
         EXPECT_EQ(report.update_count, 2u);
-        EXPECT_EQ(report.call_count, 6u + 2 + 19);
+        EXPECT_EQ(report.call_count, 6u + 2 + 24);
     }
+}
+
+// Entering is asked of solids alone. What has no body, or a filter, is not written.
+TEST(TraceQuestions, EnteringIsWrittenWithItsLimit) {
+    World world;
+    const auto solid = std::make_shared<const ConvexSolid>(scenes::cube(0.5));
+    std::stringstream trace;
+    world.trace_to(trace, {.questions = true});
+    const BodyId moved = world.create_body(solid, at(0));
+    world.create_body(solid, at(3));
+    EXPECT_TRUE(world.entering(moved, Vec3(8, 0.25, 0)));
+    EXPECT_FALSE(world.entering(moved, Vec3(8, 0.25, 0), 0.25));
+    EXPECT_TRUE(world.entering({solid, at(0)}, Vec3(8, 0.25, 0)));
+    EXPECT_TRUE(world.entering({moved, CollisionFilter{}}, Vec3(8, 0.25, 0)));
+    QueryMemory memory;
+    EXPECT_TRUE(world.entering(moved, Vec3(8, 0.25, 0), 1, memory));
+    world.end_trace();
+    std::string text = trace.str();
+    EXPECT_EQ(count_of("\nentering ", text), 2u);
+    EXPECT_NE(text.find(" 0x1p-2\n"), std::string::npos) << text;
+    EXPECT_FALSE(replayed(text).difference);
+    EXPECT_EQ(replayed(text).question_count, 2u);
+    char& digit = text[text.find("\nentering ") + 12];
+    digit = digit == '7' ? '8' : '7';
+    EXPECT_TRUE(replayed(text).difference);
 }
 
 // Hits of many lines are a question for each line.
@@ -125,7 +159,8 @@ TEST(TraceQuestions, TheFirstOtherAnswerIsNamed) {
     const std::string text = traced({.questions = true});
     for (const std::string name :
          {"first_hit", "first_hit_of_ray", "all_hits", "all_hits_of_ray", "nearest", "closest_pair", "cast", "meetings",
-          "cast_of", "meetings_of", "bodies_containing", "depths", "signed_distances"}) {
+          "cast_of", "meetings_of", "bodies_containing", "depths", "signed_distances", "cast_to_distance", "sided_hits",
+          "sided_hits_of_ray", "inside_parts", "inside_parts_of_ray"}) {
         const std::size_t line = text.find("\n" + name + " ") + 1;
         const std::size_t digest = line + name.size() + 1;
         std::string wrong = text;

@@ -1,0 +1,21 @@
+// Finds the parts of a line inside a solid, with the exact parameters where they begin.
+#pragma once
+
+#include <vector>
+
+#include "ecods/hit.hpp"
+#include "ecods/solid.hpp"
+#include "query/hit/exact_hits.hpp"
+
+namespace ecods {
+
+struct ExactPart {
+    LongFraction from;
+    InsidePart part;
+};
+
+// Return what inside_parts() returns, with the parameters before they were rounded. The line must be valid.
+std::vector<ExactPart> exact_parts(const Segment& segment, const Posed<Solid>& solid, QueryMemory& memory);
+std::vector<ExactPart> exact_parts(const Ray& ray, const Posed<Solid>& solid, QueryMemory& memory);
+
+}  // namespace ecods
