@@ -15,26 +15,35 @@
 // asked about, and so is each decision: balls of radii 1 and 2^-60 meet at distance 1. A body with radius 0 is its
 // core. Numbers are rounded once (distance.hpp).
 //
-// This table has the questions about a rounded body and any mesh, solid or rounded body; a World asks the same ones
-// (world.hpp). In it, "convex" means that the core is a ConvexSolid, or a mesh of one triangle (a point, a segment, a
-// triangle).
+// This table has the questions about a rounded body and any mesh, solid or rounded body, in either order; a World asks
+// the same ones (world.hpp). In it, "convex" means that the core is a ConvexSolid, or a mesh of one triangle (a point, a
+// segment, a triangle). Whatever is not answered is refused: by NotSupported, with both kinds, or since there is no
+// such function. verify/unit/query/kinds_test has the table of all kinds of bodies, with half spaces, and a test holds
+// it.
 //
 //     intersects, distance, within, closest, distance_bounds     answered
 //     signed_distance                                            answered, unless the cores share a point and one is
 //                                                                not convex
 //     depth                                                      answered, if both are convex
 //     closest, signed_distance, locate of a point                answered
-//     hits; casts by a translation, and their contact_point      answered
+//     hits; casts by a translation, also to a distance           answered
+//     contact_point of a cast by a translation                   answered
+//     casts of straight motions and turns                        answered, if both bodies are translated (see below),
+//                                                                or have no radius
 //     contact_patch (contact.hpp)                                answered, if both are convex
-//     a World's lists, events, nearest, closest_pairs            answered; distances are signed if both are convex
 //     relation                                                   answered, if both are convex, or one is convex and the
 //                                                                other has no radius; otherwise, see relation()
-//     a World's depths, bodies_containing                        leave rounded bodies out
+//     a World's lists, events, nearest, closest_pairs            answered; distances are signed if both are convex
+//     a World's casts and meetings of straight motions           answered, if all bodies are as above, near or far;
+//                                                                of turns, NotSupported
+//     a World's bodies_containing                                answered
+//     a World's depths                                           answered for convex bodies; others are left out
 //     a World's relations                                        as relation(): set_relations refuses other rounded
 //                                                                bodies
 //     traces                                                     written and read
 //     with a half space                                          half_space.hpp
-//     casts between poses, meetings, certificates, triangles     NotSupported, or no such function
+//     certificates, of two bodies and of a World                 no such function; NotSupported
+//     triangles, close_features, entering, depth_along           no such function; NotSupported by a World
 //
 // Everything is defined for all finite poses, also singular ones, and for zero-area triangles. Threads are as in
 // intersection.hpp. A question may throw std::bad_alloc where numbers need more than some hundred digits.
@@ -56,6 +65,7 @@
 #include "ecods/ask.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/export.hpp"
+#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
@@ -212,6 +222,29 @@ class ECODS_API Rounded final : public Shape {
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Vec3& motion,
                                                          const Posed<Rounded>& b, double max_time = 1,
                                                          const Ask& ask = {});
+
+// Return the first contact of two bodies that each move straight from one pose to another (cast.hpp), or in any way
+// (motion.hpp), if each of them is translated: its matrix stays, or its core is one point, which goes straight by any
+// matrices, and by a turn about an axis that it is on. One body is then translated beside the other, by an exact
+// vector, and the contact is as above. Without radii, it is that of the cores, which may move as these do. Throw
+// NotSupported, with both kinds, if a body has a radius and one of the two is not translated: the times at which
+// turning edges are at a distance are roots of polynomials of degree 6 and more. Throw InvalidArgument if a motion is
+// not valid, or max_time is negative or NaN. Cost: that of a cast by a translation.
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<Rounded>& a, const Moving<Rounded>& b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<Rounded>& a, const Moving<MeshShape>& b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Moving<Rounded>& b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<Rounded>& a, const Motion& motion_of_a,
+                                                         const Posed<Rounded>& b, const Motion& motion_of_b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<Rounded>& a, const Motion& motion_of_a,
+                                                         const Posed<MeshShape>& b, const Motion& motion_of_b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Motion& motion_of_a,
+                                                         const Posed<Rounded>& b, const Motion& motion_of_b,
+                                                         double max_time = 1, const Ask& ask = {});
 
 // ---- points
 //

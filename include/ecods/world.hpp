@@ -279,8 +279,8 @@ class ECODS_API World {
 
     // Suppose that the subject is translated by t * `motion` at each time t (cast.hpp), or moves in any way
     // (motion.hpp); nothing is moved. Return the body that it meets first, or nullopt if it meets none up to max_time.
-    // A max_time above 1 counts as 1. Throw the errors of the cast of two bodies. Need tests that answer
-    // Question::cast; for turns and straight motions cast_any_motion, which only the tests of meshes do.
+    // A max_time above 1 counts as 1. Throw the errors of casts of two bodies. Need tests that answer Question::cast;
+    // for straight motions cast_moving; for turns cast_any_motion, as of the library's tests only those of meshes do.
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Motion& motion, double max_time = 1,

@@ -124,6 +124,7 @@ class Bodies {
         const auto found = kind_counts_.find(kind);
         return found == kind_counts_.end() ? 0 : found->second;
     }
+    bool has_rounded() const { return count_of(ShapeKind::rounded()) + count_of(ShapeKind::rounded_convex()) > 0; }
     // Returns the number of living bodies by kind. A kind without living bodies may be listed, with 0.
     const std::map<ShapeKind, std::size_t>& kind_counts() const noexcept { return kind_counts_; }
 

@@ -53,7 +53,7 @@ class BodyHalfSpaceTest : public HalfSpaceTest<First> {
     }
 };
 
-// Adds casts between poses, which meshes and half spaces have and rounded bodies do not.
+// Adds casts between poses.
 template <class Base, class First>
 class MovingHalfSpaceTest final : public Base {
   public:
@@ -67,13 +67,14 @@ class MovingHalfSpaceTest final : public Base {
 };
 
 using MeshHalfSpaceTest = MovingHalfSpaceTest<BodyHalfSpaceTest<MeshShape>, MeshShape>;
+using RoundedHalfSpaceTest = MovingHalfSpaceTest<BodyHalfSpaceTest<Rounded>, Rounded>;
 using TwoHalfSpacesTest = MovingHalfSpaceTest<HalfSpaceTest<HalfSpace>, HalfSpace>;
 
 }  // namespace
 
 void add_half_space_tests(TwoBodyTests& tests) {
     constexpr ShapeKind half_space = ShapeKind::half_space();
-    const auto of_rounded = std::make_shared<const BodyHalfSpaceTest<Rounded>>();
+    const auto of_rounded = std::make_shared<const RoundedHalfSpaceTest>();
     tests.set_with_signs(ShapeKind::mesh(), half_space, std::make_shared<const MeshHalfSpaceTest>());
     tests.set_with_signs(ShapeKind::rounded(), half_space, of_rounded);
     tests.set_with_signs(ShapeKind::rounded_convex(), half_space, of_rounded);

@@ -21,6 +21,7 @@ class RoundedTest final : public TwoBodyTest {
             case Question::within:
             case Question::closest:
             case Question::cast:
+            case Question::cast_moving:
                 return true;
             case Question::relation:
                 return relates_;
@@ -47,6 +48,10 @@ class RoundedTest final : public TwoBodyTest {
     std::optional<FirstContact> cast(const Posed<Shape>& a, const Vec3& motion, const Posed<Shape>& b, double max_time,
                                      const Ask& ask) const override {
         return pair_of(a, b).cast(motion, 0, max_time, ask);
+    }
+    std::optional<FirstContact> cast_moving(const Moving<Shape>& a, const Moving<Shape>& b, double max_time,
+                                            const Ask& ask) const override {
+        return pair_of({*a.what, a.from}, {*b.what, b.from}).cast_straight(a.to, b.to, max_time, ask);
     }
 
   private:

@@ -13,6 +13,7 @@
 #include "world/enlarged.hpp"
 #include "world/first_met.hpp"
 #include "world/rounded_test.hpp"
+#include "world/straight_moves.hpp"
 #include "world/way_box.hpp"
 
 namespace ecods {
@@ -29,8 +30,25 @@ std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>&
 // Casts `a`, in any motion, against `b` at rest, in the order of the test.
 std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Motion& motion,
                                     const Posed<Shape>& b, double max_time, QueryMemory& memory) {
+    if (const auto* const straight = std::get_if<Straight>(&motion)) {
+        const Moving<Shape> moved(*a.what, a.pose, straight->to), rest(*b.what, b.pose, b.pose);
+        return in_order(test, test.swapped ? test.test->cast_moving(rest, moved, max_time, memory)
+                                           : test.test->cast_moving(moved, rest, max_time, memory));
+    }
     return in_order(test, test.swapped ? test.test->cast_any_motion(b, Motion(), a, motion, max_time, memory)
                                        : test.test->cast_any_motion(a, motion, b, Motion(), max_time, memory));
+}
+
+// Throws NotSupported if the subject has no cast of its move with some body, as rounded bodies may not have.
+void require_straight_cast(const Subject& subject, const Pose& end, const Bodies& bodies, const TwoBodyTests& tests) {
+    if (!is_rounded(subject.kind()) && !bodies.has_rounded()) return;
+    StraightMoves moves;
+    moves.add(subject.posed, &end);
+    if (!moves.has_turning()) return;
+    for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
+        if (bodies[proxy].is_alive() && proxy != subject.proxy) moves.add(bodies[proxy].posed(), nullptr);
+    }
+    moves.require_casts(tests);
 }
 
 }  // namespace
@@ -76,7 +94,9 @@ std::optional<BodyContact> World::cast(const Asked& asked, const Motion& motion,
     const Subject subject = w.subject_of(asked);
     validate(motion);
     FirstBodyMet first(require_time(max_time));
-    w.require_tests_for(subject, Question::cast_any_motion);
+    const auto* const straight = std::get_if<Straight>(&motion);
+    w.require_tests_for(subject, straight != nullptr ? Question::cast_moving : Question::cast_any_motion);
+    if (straight != nullptr) require_straight_cast(subject, straight->to, w.bodies, w.tests);
     Asking asking(ask);
     const auto ask_body = [&](ProxyIndex proxy) {
         first.take(proxy, [&](double limit) {

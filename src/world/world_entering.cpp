@@ -1,3 +1,4 @@
+#include "query/body/posed_body.hpp"
 #include "query/intersection/asking.hpp"
 #include "query/patch/rounded_contact_point.hpp"
 #include "world/first_met.hpp"
@@ -14,15 +15,16 @@ Posed<MeshShape> mesh_at(const Posed<Shape>& posed) {
     return {static_cast<const MeshShape&>(*posed.what), posed.pose};
 }
 
-// Returns true if the mesh is a solid; false if it is a surface.
-bool is_solid(const Posed<MeshShape>& mesh) noexcept {
-    return mesh.what->form() != MeshForm::surface;
+// Returns true if the mesh is a solid, and false if it is a surface. Throws NotSupported for a solid without an inside.
+bool has_inside_to_enter(const Posed<MeshShape>& mesh) {
+    if (mesh.what->form() == MeshForm::surface) return false;
+    if (!PosedBody(mesh).has_inside()) throw NotSupported("entering: a solid is flat, or at a singular pose");
+    return true;
 }
 
-// Returns true if all bodies have meshes of one form: solids, or surfaces. Cost: a pass over the kinds.
-bool have_form(const Bodies& bodies, bool are_solids) {
-    return bodies.have_kinds([](ShapeKind kind) { return kind == ShapeKind::mesh(); }) &&
-           bodies.solid_count() == (are_solids ? bodies.alive_count() : 0);
+// Returns true if all bodies are surfaces. Cost: a pass over the kinds.
+bool are_surfaces(const Bodies& bodies) {
+    return bodies.have_kinds([](ShapeKind kind) { return kind == ShapeKind::mesh(); }) && bodies.solid_count() == 0;
 }
 
 }  // namespace
@@ -33,9 +35,10 @@ std::optional<BodyEntry> World::entering(const Asked& asked, const Vec3& motion,
     const Subject subject = w.subject_of(asked);
     auto first = search_along<FirstBodyEntered>(motion, max_time);
     const Posed<MeshShape> mover = mesh_at(subject.posed);
-    if (!have_form(w.bodies, is_solid(mover))) {
+    const bool is_solid = has_inside_to_enter(mover);
+    if (is_solid || !are_surfaces(w.bodies)) {
         w.for_each_asked(subject, [&](const Slot& slot) {
-            if (is_solid(mesh_at(slot.posed())) == is_solid(mover)) return;
+            if (has_inside_to_enter(mesh_at(slot.posed())) == is_solid) return;
             throw NotSupported("entering: the subject and all bodies must be surfaces, or all solids");
         });
     }

@@ -10,6 +10,7 @@
 #include "geometry/same_bits.hpp"
 #include "query/body/motion_kinds.hpp"
 #include "query/intersection/asking.hpp"
+#include "world/straight_moves.hpp"
 #include "world/way_box.hpp"
 #include "world/world_impl.hpp"
 
@@ -83,6 +84,20 @@ void require_valid(const Motion& motion, BodyId body, std::size_t index) {
     }
 }
 
+// Throws NotSupported if a body of the world goes straight to a pose that rounded bodies have no cast for.
+void require_straight_casts(const Ways& ways, const Bodies& bodies, const TwoBodyTests& tests) {
+    const auto end_of = [&](ProxyIndex proxy) {
+        return ways.has(proxy) ? straight_end(bodies[proxy].pose, ways.motion(proxy)) : nullptr;
+    };
+    StraightMoves listed, all;
+    for (const ProxyIndex proxy : ways.bodies()) listed.add(bodies[proxy].posed(), end_of(proxy));
+    if (!listed.has_turning()) return;
+    for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {
+        if (bodies[proxy].is_alive()) all.add(bodies[proxy].posed(), end_of(proxy));
+    }
+    all.require_casts(tests);
+}
+
 // Returns true if some body turns or is translated. Throws NotSupported if no cast takes the motions of some two
 // bodies.
 bool are_any_motions(const Ways& ways, const Bodies& bodies) {
@@ -114,6 +129,7 @@ std::vector<Meeting> World::Impl::find_meetings(std::span<const BodyId> listed, 
     }
     require_answers(Question::cast_moving);
     if (are_any_motions(ways, bodies)) require_answers(Question::cast_any_motion);
+    if (bodies.has_rounded()) require_straight_casts(ways, bodies, tests);
     for (const ProxyIndex proxy : changes.bodies()) {
         if (bodies[proxy].is_alive() && !ways.has(proxy)) ways.set(proxy, Motion(), broad_phase.box(proxy));
     }

@@ -40,8 +40,9 @@ claim(number(FILTER, r"root_of_3 = ([\d.]+),") ** 2 >= 3, "the root of 3")
 NEAR, HIT = "src/query/body/near_pairs.cpp", "src/query/body/rounded_hit.cpp"
 of_place = (1 + U) ** 3 * (1 + 4 * U) - 1
 claim(of_place <= number(NEAR, r"step, (\d+) \* two_u \* size") * U * (1 - U) ** 7, "a place on a line")
-claim(of_place <= number(NEAR, r"\{pose\.t, (\d+) \* two_u") * U * (1 - U) ** 7, "a place on a way")
+of_way = (1 + U) ** 4 * (1 + 4 * U) - 1  # the motion has one rounding more
+claim(of_way <= number(NEAR, r"\{pose\.t, (\d+) \* two_u") * U * (1 - U) ** 7, "a place on a way")
 claim((1 - U) ** 3 * (1 + number(NEAR, r"d \* \(1 \+ (\d+) \* two_u\)") * U) >= 1, "a sum of three numbers, rounded up")
-claim((1 - U) ** 5 * (1 + number(NEAR, r"half \* \(1 \+ (\d+) \* two_u\)") * U) >= 1, "a reach, rounded up")
+claim((1 - U) ** 6 * (1 + number(NEAR, r"half \* \(1 \+ (\d+) \* two_u\)") * U) >= 1, "a reach, rounded up")
 claim((1 - U) ** 5 * (1 + number(HIT, r"speed \* \(1 \+ (\d+) \* two_u\)") * U) >= 1, "the end of a line in a box")
 end()

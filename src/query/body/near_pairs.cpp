@@ -62,7 +62,7 @@ std::optional<PairList> NearWay::list(double from, double to, std::size_t most) 
     const double half = std::max((next_up(to) - from) / 2, least_time), middle = from + half;
     Pose pose = a_.pose;
     pose.t += middle * motion_;
-    const Place place{pose.t, 8 * two_u * (sum_of(a_.pose.t) + middle * sum_of(motion_)) + underflow};
+    const Place place{pose.t, 9 * two_u * (sum_of(a_.pose.t) + middle * sum_of(motion_)) + underflow};
     if (!is_known(place)) return all_pairs(a_, b_);
     // At times within `half` of the middle, the body is at most this far from its place at the middle.
     const double reach = half * (1 + 8 * two_u) * sum_of(motion_);

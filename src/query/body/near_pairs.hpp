@@ -3,9 +3,10 @@
 // Bound. Positions are computed in doubles, with few roundings: of a difference, a product and a sum. Let S be the sum
 // of the magnitudes of all terms of a position's coordinates, added over the axes. With u' = two_u, each term goes
 // through three roundings, and a parameter may be off by 4 u' of itself, so a position is off by less than 7.1 u' S. S
-// as computed has seven roundings, and 8 u' S covers them. A distance is a sum of three such numbers, and a reach a
-// product with five roundings: 8 u' times each covers these. Numbers that underflow lose less than 2^-1000 in all;
-// times that may be flushed to zero count as 2^-900. If a number overflows, all pairs are listed.
+// as computed has seven roundings, and 8 u' S covers them. A motion of a body may be rounded, too: its terms go through
+// one rounding more, and 9 u' S covers them. A distance is a sum of three such numbers, and a reach a product with six
+// roundings: 8 u' times each covers these. Numbers that underflow lose less than 2^-1000 in all; times that may be
+// flushed to zero count as 2^-900. If a number overflows, all pairs are listed.
 // Claim: verify/proofs/root_sums.py
 #pragma once
 
@@ -45,7 +46,8 @@ class NearLine {
     QueryMemory& memory_;
 };
 
-// NearWay lists pairs of a triangle of a translated boundary and a triangle of another boundary.
+// NearWay lists pairs of triangles of a boundary that is translated, and of another boundary. Each coordinate of the
+// motion is the real one, rounded once, and may be infinite.
 class NearWay {
   public:
     NearWay(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, const exact::ExactSum& p,

@@ -1,6 +1,7 @@
 // Answers casts of rounded bodies, and casts to a distance. Let p be the sum of the radii and of the distance in
 // question. Bodies that are further apart at the start come to this distance when their cores first come to the
 // distance p. Since p > 0, the cores are then apart, and closest to each other on their boundaries.
+#include <cstdint>
 #include <limits>
 
 #include "base/double_key.hpp"
@@ -8,6 +9,7 @@
 #include "ecods/cast.hpp"
 #include "ecods/cast_to_distance.hpp"
 #include "ecods/rounded.hpp"
+#include "exact/measure/round/squared_distance.hpp"
 #include "exact/point/posed_point.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/body/near_pairs.hpp"
@@ -38,12 +40,21 @@ std::optional<FirstContact> first_by(double latest, const std::vector<NearTimes>
     return FirstContact{best->interval.first.rounded, best->first.kind, best->first.a, best->first.b};
 }
 
-std::optional<FirstContact> cast_boundaries(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b,
-                                            const exact::ExactSum& p, double latest, QueryMemory& memory) {
-    const exact::ScaledLongVector step = exact::exact_vector(motion);
-    if (exact::is_zero(step)) return std::nullopt;
-    const NearWay near(a, motion, b, p, memory);
-    RoundedWay way(a, step, b, p);
+// Returns the vector with each coordinate rounded once.
+Vec3 round_vector(const exact::ScaledLongVector& v) {
+    const auto round = [](const exact::ScaledInteger& x) {
+        return exact::round_quotient(x.m().limbs(), exact::Integer(std::int64_t{1}).limbs(), x.e(), x.sign() < 0);
+    };
+    return {round(v[0]), round(v[1]), round(v[2])};
+}
+
+std::optional<FirstContact> cast_boundaries(const Posed<MeshShape>& a, const exact::ScaledLongVector& motion,
+                                            const Posed<MeshShape>& b, const exact::ExactSum& p, double latest,
+                                            QueryMemory& memory) {
+    if (exact::is_zero(motion)) return std::nullopt;
+    const Vec3 rounded_motion = round_vector(motion);
+    const NearWay near(a, rounded_motion, b, p, memory);
+    RoundedWay way(a, motion, b, p);
     std::optional<FirstContact> contact;
     search_earliest(
         latest, [&](double from, double to, std::size_t most) { return near.list(from, to, most); },
@@ -65,10 +76,15 @@ std::optional<FirstContact> cast_to(const RoundedPair& bodies, const Vec3& motio
 
 std::optional<FirstContact> RoundedPair::cast(const Vec3& motion, double distance, double max_time,
                                               const Ask& ask) const {
-    const exact::ExactSum p = radii().sum().plus(distance);
-    if (p.sign() == 0) return ecods::cast(a.core, motion, b.core, max_time, ask);
+    if (radii().sum().plus(distance).sign() == 0) return ecods::cast(a.core, motion, b.core, max_time, ask);
     const double latest = require_time(max_time);
     validate_motion(motion);
+    return cast_along(exact::exact_vector(motion), distance, latest, ask);
+}
+
+std::optional<FirstContact> RoundedPair::cast_along(const exact::ScaledLongVector& motion, double distance,
+                                                    double latest, const Ask& ask) const {
+    const exact::ExactSum p = radii().sum().plus(distance);
     Asking asking(ask);
     QueryMemory& memory = asking.memory();
     const BodyPairAsked bodies(a.core, b.core);

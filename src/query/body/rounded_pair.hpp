@@ -6,6 +6,7 @@
 #include "ecods/pose.hpp"
 #include "ecods/rounded.hpp"
 #include "exact/measure/round/rounded_ends.hpp"
+#include "exact/number/long_vector.hpp"
 
 namespace ecods {
 
@@ -41,6 +42,13 @@ struct RoundedPair {
     std::optional<Depth> depth(const Ask& ask) const;
     // Returns the first time at which the bodies are within `distance`, which must be finite and not negative.
     std::optional<FirstContact> cast(const Vec3& motion, double distance, double max_time, const Ask& ask) const;
+    // Returns the first contact of bodies that move straight to these poses.
+    std::optional<FirstContact> cast_straight(const Pose& end_a, const Pose& end_b, double max_time,
+                                              const Ask& ask) const;
+    // Returns cast() for a motion that need not be a vector of doubles. `latest` must be from 0 to 1, and the sum of
+    // the radii and `distance` positive.
+    std::optional<FirstContact> cast_along(const exact::ScaledLongVector& motion, double distance, double latest,
+                                           const Ask& ask) const;
 
     CoreAndRadius a, b;
 };

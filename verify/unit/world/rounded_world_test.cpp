@@ -297,9 +297,10 @@ TEST_P(RoundedWorld, WhatIsNotDecidedIsRefusedByName) {
     const BodyId cube = world.create_body(scenes::cube(0.5), at(2));
     world.update();
     const ShapeKind mesh = ShapeKind::mesh(), convex = ShapeKind::rounded_convex();
-    const std::vector<BodyId> ids{ball};
-    const std::vector<Pose> poses{at(1)};
-    expect_not_supported([&] { (void)world.meetings(ids, poses); }, Question::cast_moving, mesh, convex);
+    const std::vector<BodyId> ids{ball, cube};
+    const std::vector<Pose> poses{at(1), at(2)}, turned{at(1), {Vec3(-1, -1, 1).asDiagonal(), Vec3(2, 0, 0)}};
+    EXPECT_EQ(world.meetings(ids, poses).size(), 1U);
+    expect_not_supported([&] { (void)world.meetings(ids, turned); }, Question::cast_moving, mesh, convex);
     expect_not_supported([&] { (void)world.certify(); }, Question::certify, convex, convex);
     expect_not_supported([&] { (void)world.intersecting_triangles(ball, cube); }, Question::intersecting_triangles,
                          convex, mesh);
