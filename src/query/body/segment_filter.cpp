@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 
 #include "base/arithmetic.hpp"
 #include "base/outward.hpp"
@@ -43,18 +42,17 @@ struct RoundedSegment {
         const Pose& pose = body.pose;
         const Vec3 offset = pose.t - origin;
         const Triangle& corners = body.what->mesh().triangles()[0];
+        const auto vertices = body.what->mesh().vertices();
+        const Vec3 &p = vertices[corners[0]], &q = vertices[corners[1]];
         is_point = corners[1] == corners[0];
-        const auto end_at = [&](std::uint32_t corner) {
-            const Vec3& v = body.what->mesh().vertices()[corner];
-            if (is_zero(v)) {
-                delta = std::max(delta, exact::point_error_bound(offset.cwiseAbs().maxCoeff(), 0));
-                return Point{offset[0], offset[1], offset[2]};
-            }
-            delta = std::max(delta, exact::point_error_bound(pose.R, v.cwiseAbs(), offset));
-            return exact::pose_point(pose.R, v, offset);
-        };
-        end[0] = end_at(corners[0]);
-        end[1] = is_point ? end[0] : end_at(corners[1]);
+        if (is_point && is_zero(p)) {
+            delta = exact::point_error_bound(offset.cwiseAbs().maxCoeff(), 0);
+            end[0] = end[1] = {offset[0], offset[1], offset[2]};
+            return;
+        }
+        delta = exact::point_error_bound(pose.R, p.cwiseAbs().cwiseMax(q.cwiseAbs()), offset);
+        end[0] = exact::pose_point(pose.R, p, offset);
+        end[1] = is_point ? end[0] : exact::pose_point(pose.R, q, offset);
     }
 
     std::array<Point, 2> end;
@@ -72,10 +70,20 @@ Point point_at(const RoundedSegment& segment, double s) noexcept {
     return x;
 }
 
+// Returns the parameter of the segment's point that is approximately closest to the other end of w, which begins at the
+// segment's first end.
+double nearest_on(const RoundedSegment& segment, const Point& w) noexcept {
+    const Point u = minus(segment.end[1], segment.end[0]);
+    return from_0_to_1(dot(u, w) / dot(u, u));
+}
+
 // Returns the difference of two points of the segments that are approximately closest to each other.
 Point between(const RoundedSegment& a, const RoundedSegment& b) noexcept {
-    if (a.is_point && b.is_point) return minus(b.end[0], a.end[0]);
-    const Point u = minus(a.end[1], a.end[0]), v = minus(b.end[1], b.end[0]), w = minus(b.end[0], a.end[0]);
+    const Point w = minus(b.end[0], a.end[0]);
+    if (a.is_point && b.is_point) return w;
+    if (a.is_point) return minus(point_at(b, nearest_on(b, exact::negated(w))), a.end[0]);
+    if (b.is_point) return minus(b.end[0], point_at(a, nearest_on(a, w)));
+    const Point u = minus(a.end[1], a.end[0]), v = minus(b.end[1], b.end[0]);
     const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
     double s = from_0_to_1((uw * vv - uv * vw) / (uu * vv - uv * uv));
     const double t = from_0_to_1((s * uv - vw) / vv);
