@@ -10,6 +10,7 @@
 #include "ecods/ask.hpp"
 #include "ecods/broad_phase.hpp"
 #include "ecods/ids.hpp"
+#include "ecods/pose.hpp"
 #include "query/intersection/query_memory.hpp"
 
 namespace ecods {
@@ -26,7 +27,13 @@ struct GroupPair {
     }
 };
 
-// Holds witnesses of pairs, and the last closest pairs. No answer depends on its content: pairs of different worlds may
+// A PairHint has the triangles at which two bodies were closest, and the direction between two convex solids then.
+struct PairHint {
+    PairWitness witness;
+    Vec3 axis = Vec3::Zero();  // zero if it is not known
+};
+
+// Holds hints about pairs, and the last closest pairs. No answer depends on its content: pairs of different worlds may
 // share an entry, and the later one overwrites the other.
 class ClosestMemory final : public QueryMemoryPart {
   public:
@@ -34,8 +41,8 @@ class ClosestMemory final : public QueryMemoryPart {
         return QueryMemoryAccess::part<ClosestMemory>(memory, &QueryMemoryAccess::State::closest_pairs);
     }
 
-    PairWitness& witness(const BodyPair& bodies) noexcept {
-        return witnesses_[combine(bodies.a.rank(), bodies.b.rank()) % witnesses_.size()];
+    PairHint& hint(const BodyPair& bodies) noexcept {
+        return hints_[combine(bodies.a.rank(), bodies.b.rank()) % hints_.size()];
     }
 
     // Returns the entry for the pair that was the closest pair of these groups at the last call.
@@ -55,7 +62,7 @@ class ClosestMemory final : public QueryMemoryPart {
     Lists lists;
 
   private:
-    std::array<PairWitness, 1024> witnesses_;
+    std::array<PairHint, 1024> hints_;
     std::array<BodyPair, 16> last_;
 };
 

@@ -16,8 +16,9 @@ double ClosestSearch::offer(ProxyPair pair) {
         (!least_.may_win(pair, signed_distance_below(boxes_.box(pair.a), boxes_.box(pair.b))) || !asked.is_signed())) {
         return bound();
     }
-    const Ask ask = asked_of(pair);
-    if (!asked.is_within(reach.value_or(0), ask)) return bound();
+    PairHint& hint = hint_of(pair);
+    const Ask ask(memory_, hint.witness);
+    if (!asked.is_within(reach.value_or(0), ask, hint.axis)) return bound();
     std::optional<ClosestPair> found;
     if (asked.is_signed()) found = asked.find(ask);
     if (least_.take(pair, found ? found->distance : asked.distance(ask))) known_ = found;
@@ -26,7 +27,9 @@ double ClosestSearch::offer(ProxyPair pair) {
 
 std::optional<ClosestPair> ClosestSearch::answer() {
     if (!least_.has_name()) return std::nullopt;
-    if (!known_) known_ = PairQuestion(bodies_, tests_, least_.name()).find(asked_of(least_.name()));
+    if (!known_) {
+        known_ = PairQuestion(bodies_, tests_, least_.name()).find({memory_, hint_of(least_.name()).witness});
+    }
     return known_;
 }
 

@@ -39,7 +39,7 @@ class ClosestSearch {
     std::optional<ClosestPair> answer();
 
   private:
-    Ask asked_of(ProxyPair pair) const noexcept { return {memory_, hints_.witness(bodies_.ids_of(pair))}; }
+    PairHint& hint_of(ProxyPair pair) const noexcept { return hints_.hint(bodies_.ids_of(pair)); }
 
     const Bodies& bodies_;
     const TwoBodyTests& tests_;

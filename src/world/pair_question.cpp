@@ -6,6 +6,7 @@
 #include "base/limits.hpp"
 #include "query/convex/solid_pair.hpp"
 #include "query/intersection/asking.hpp"
+#include "query/intersection/query_memory.hpp"
 #include "world/signed_distance_of.hpp"
 
 namespace ecods {
@@ -16,6 +17,18 @@ bool PairQuestion::is_signed() const {
 
 bool PairQuestion::is_within(double max_distance, const Ask& ask) const {
     return key_of(max_distance) == infinity_key || test_.ask(a_, b_, &TwoBodyTest::within, max_distance, ask);
+}
+
+bool PairQuestion::is_within(double max_distance, const Ask& ask, Vec3& axis) const {
+    if (!test_.has_signs || key_of(max_distance) == infinity_key) {
+        return is_within(max_distance, ask);
+    }
+    const auto convex = as_convex_solids(a_, b_);
+    if (!convex) return is_within(max_distance, ask);
+    Asking asking(ask);
+    return as_one_query(asking.memory(), [&] {
+        return convex::within(convex->a, convex->b, max_distance, asking.memory(), asking.witness(), axis);
+    });
 }
 
 double PairQuestion::distance(const Ask& ask) const {

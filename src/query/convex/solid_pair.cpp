@@ -9,6 +9,7 @@
 #include "base/double_key.hpp"
 #include "exact/measure/round/distance_beyond.hpp"
 #include "exact/point/vectors.hpp"
+#include "geometry/find_invalid.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/posed_hulls.hpp"
 
@@ -20,11 +21,11 @@ using exact::largest;
 using exact::minus;
 using exact::sum_of_magnitudes;
 
-// Returns true if the direction between the centers, taken as a separating axis, proves that the solids are further
-// apart than the limit. `start` must be the nearest pair of vertices along this direction. Returns false if a hull is
-// not scanned, since the pair then may not be the nearest.
+// Returns true if the direction n, taken as a separating axis, proves that the solids are further apart than the limit.
+// `gap` must be the difference of the nearest pair of vertices along n. Returns false if a hull is not scanned, since
+// the pair then may not be the nearest, and if n is not a number or almost zero. n must be below 2^400.
 //
-// Derivation. Let n be the direction, u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where
+// Derivation. Let u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where
 // `sum` bounds the magnitudes added up for any coordinate of a point, and |n|_1 the sum of the magnitudes of n. A
 // vertex's height along n, in the mesh's coordinates, is off by at most (1 + u')^6 - 1 < 6.1 u' of sum |n|_1: less than
 // 1.5 D |n|_1. So the vertex found is lower than the highest one by less than 3 D |n|_1, and its rounded point is off
@@ -34,14 +35,24 @@ using exact::sum_of_magnitudes;
 // 2^-900. n is so large that underflow has no other effect, and a limit that is flushed to zero is below what 2^-900 /
 // |n| leaves.
 // Claim: verify/proofs/lines_and_times.py
-bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noexcept {
-    const Point n = minus(hulls.center(1), hulls.center(0));
+bool is_beyond(const PosedHulls& hulls, const Point& n, const Point& gap, double limit) noexcept {
     if (hulls.exponent() != 0 || !hulls.is_scanned(0) || !hulls.is_scanned(1) || !(largest(n) >= 0x1p-400))
         return false;
-    const Point& gap = start.points[0];
     const double magnitudes = sum_of_magnitudes({n[0] * gap[0], n[1] * gap[1], n[2] * gap[2]});
     const double least = ((dot(n, gap) - 8 * two_u * magnitudes) - 9 * hulls.delta() * sum_of_magnitudes(n)) - 0x1p-900;
     return least > limit * (std::sqrt(dot(n, n)) * (1 + 8 * two_u));
+}
+
+// Does the same for the direction between the centers; `start` must be between_centers().
+bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noexcept {
+    return is_beyond(hulls, minus(hulls.center(1), hulls.center(0)), start.points[0], limit);
+}
+
+bool is_beyond_along(const PosedHulls& hulls, const Vec3& axis, double limit) noexcept {
+    const Point n{axis[0], axis[1], axis[2]};
+    if (is_zero(axis)) return is_beyond(hulls, between_centers(hulls), limit);
+    const Point p = hulls.rounded(0, hulls.support(0, n)), q = hulls.rounded(1, hulls.support(1, exact::negated(n)));
+    return is_beyond(hulls, n, minus(q, p), limit);
 }
 
 // Returns the distance if it is at most the limit. Only if the rounded distance equals the limit, rounding leaves open
@@ -114,6 +125,16 @@ bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exac
     if (!limit.is_strict && limit.sum.is_double())
         return distance_within(hulls, closest, limit.sum.lower()).has_value();
     return limit.holds(exact::compare(square_of(hulls, closest->found), limit.sum));
+}
+
+bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit, QueryMemory& memory,
+            PairWitness& witness, Vec3& axis) {
+    PosedHulls hulls(a, b, memory);
+    if (is_beyond_along(hulls, axis, limit)) return false;
+    const auto closest = find_closest(hulls, &witness);
+    if (distance_within(hulls, closest, limit)) return true;
+    axis = round_direction(hulls, closest->found);
+    return false;
 }
 
 std::optional<ClosestPoints> closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
