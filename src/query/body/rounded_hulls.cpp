@@ -115,42 +115,11 @@ class NamedFeature {
     Meaning meaning_;
 };
 
-exact::SegmentRef segment_of(const SmallHull& hull, const std::array<std::uint32_t, 3>& corners,
-                             std::size_t count) noexcept {
-    const Vec3* const p = &hull.vertex(corners[0]);
-    return {&hull.posed().pose, p, count == 1 ? p : &hull.vertex(corners[1])};
-}
-
-exact::SegmentEnds ends_of(const SmallHulls& hulls, const SmallFeatures& features, int high) noexcept {
-    for (const std::size_t side : {0, 1}) {
-        if (features.count[side] != 3) continue;
-        const SmallHull &hull = hulls[side], &other = hulls[1 - side];
-        const auto& [p, q, r] = features.corners[side];
-        return {exact::PointAndTriangle{&other.posed().pose,
-                                        &other.vertex(features.corners[1 - side][0]),
-                                        &hull.posed().pose,
-                                        {&hull.vertex(p), &hull.vertex(q), &hull.vertex(r)}},
-                side, high};
-    }
-    return {segment_of(hulls[0], features.corners[0], features.count[0]),
-            segment_of(hulls[1], features.corners[1], features.count[1]), high};
-}
-
-// Replaces the closest points of two segments by those of the vertex and the face that the segments stand for: the
-// vertex, and its foot. Returns false unless the foot is inside the triangle.
-bool move_to_features(exact::ClosestOnSegments& at, const exact::SegmentEnds& ends, std::size_t of_face) noexcept {
-    if (!(at.parameter_max[0] + at.parameter_max[1] < 1 - 4 * two_u)) return false;
-    const std::size_t of_vertex = 1 - of_face;
-    const auto w = exact::difference(at.point[of_face], at.point[of_vertex]);
-    at.point[of_vertex] = ends.at[of_vertex][0];
-    for (std::size_t k = 0; k < 3; ++k) {
-        at.point[of_face][k] = at.point[of_vertex][k] + w[k];
-        const auto of_point = static_cast<std::uint64_t>(ends.error());
-        const std::uint64_t of_w = at.errors[0][k] + at.errors[1][k];
-        at.errors[of_vertex][k] = of_point;
-        at.errors[of_face][k] = of_point + of_w;
-    }
-    return true;
+convex::PosedFeature feature_of(const SmallHull& hull, const std::array<std::uint32_t, 3>& corners,
+                                std::size_t count) noexcept {
+    convex::PosedFeature result{&hull.posed().pose, {}, count};
+    for (std::size_t i = 0; i < count; ++i) result.corners[i] = &hull.vertex(corners[i]);
+    return result;
 }
 
 // Returns true if all other vertices of both cores are certainly behind the features, along w. In doubles, a coordinate
@@ -175,25 +144,11 @@ std::optional<RoundedSegments> RoundedSegments::find_of_hulls(const CoreAndRadiu
         !NamedFeature(hulls, 1, *features, meaning).find(names.b)) {
         return std::nullopt;
     }
-    const exact::FeaturePair pair = exact::features_of_counts(features->count[0], features->count[1]);
-    names.kind = static_cast<ClosestKind>(pair.kind);
-
-    const exact::Radii radii{a.radius, b.radius};
-    const int high = std::max(exact::exponent_above(radii.a), exact::exponent_above(radii.b));
-    const exact::SegmentEnds ends = ends_of(hulls, *features, high);
-    std::optional<exact::ClosestOnSegments> at = exact::closest_on_segments(ends);
-    if (!at || !at->is_only) return std::nullopt;
-    const bool has_face = pair.kind == exact::FeatureKind::vertex_face;
-    for (const std::size_t side : {0, 1}) {
-        if (at->features.corner_count(side) != (has_face ? 2 : features->count[side])) return std::nullopt;
-    }
-    const exact::IntegerVector difference = exact::difference(at->point[1], at->point[0]);
-    const std::optional<exact::FixedVector> w = at->between();
-    exact::ErrorBounds errors;
-    for (std::size_t k = 0; k < 3; ++k) errors[k] = at->errors[0][k] + at->errors[1][k];
-    if (!w || !are_closest(hulls, *features, difference, errors)) return std::nullopt;
-    if (has_face && !move_to_features(*at, ends, features->count[0] == 3 ? 0 : 1)) return std::nullopt;
-    return RoundedSegments(*at, *w, ends.unit, radii, names);
+    const auto found = FixedClosest::of_features({feature_of(hulls[0], features->corners[0], features->count[0]),
+                                                  feature_of(hulls[1], features->corners[1], features->count[1])},
+                                                 {a.radius, b.radius}, names);
+    if (!found || !are_closest(hulls, *features, found->between(), found->errors())) return std::nullopt;
+    return RoundedSegments(*found);
 }
 
 }  // namespace ecods

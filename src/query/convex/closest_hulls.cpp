@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/gjk.hpp"
@@ -19,7 +23,45 @@ void leave(const PosedHulls& hulls, const ClosestHulls& closest, PairWitness& wi
                name_of(hulls.hull(1), closest.part(hulls, 1)).triangle};
 }
 
+PosedFeature posed_feature(const PosedHulls& hulls, std::size_t side, std::span<const std::uint32_t> corners) {
+    PosedFeature result{hulls.reference({side, corners[0]}).pose, {}, corners.size()};
+    for (std::size_t i = 0; i < corners.size(); ++i) result.corners[i] = hulls.reference({side, corners[i]}).v;
+    return result;
+}
+
+FixedClosest::Names names_of(const PosedHulls& hulls, const HullFeaturePair& parts) noexcept {
+    return {{}, name_of(hulls.hull(0), parts[0]), name_of(hulls.hull(1), parts[1])};
+}
+
 }  // namespace
+
+std::optional<FixedClosest> convex::find_fixed(const PosedHulls& hulls, const ClosestHulls& closest,
+                                               const exact::Radii& radii) {
+    if (!closest.are_only) return std::nullopt;
+    const auto of = [&](std::size_t side) { return posed_feature(hulls, side, closest.found.of_side(side)); };
+    return FixedClosest::of_features({of(0), of(1)}, radii,
+                                     names_of(hulls, {closest.part(hulls, 0), closest.part(hulls, 1)}));
+}
+
+// A face's parallelogram is that of a corner and its two neighbors. A foot is in the triangle, if the face is one; in
+// the first of these, if the face is a parallelogram; and otherwise in one of few.
+std::optional<FixedClosest> convex::find_fixed(const PosedHulls& hulls, const HullFeaturePair& parts,
+                                               const exact::Radii& radii) {
+    constexpr std::size_t tries_max = 4;
+    const HullFeatures found = features_of(hulls, parts);
+    const FixedClosest::Names names = names_of(hulls, parts);
+    std::array<PosedFeature, 2> features{posed_feature(hulls, 0, found.of_side(0)),
+                                         posed_feature(hulls, 1, found.of_side(1))};
+    const std::size_t face = parts[0].kind == Feature::Kind::face ? 0 : 1;
+    if (parts[face].kind != Feature::Kind::face) return FixedClosest::of_features(features, radii, names);
+    const auto cycle = hulls.hull(face).cycle_of(parts[face].index);
+    for (std::size_t i = 0; i < std::min(cycle.size() - 2, tries_max); ++i) {
+        const std::array<std::uint32_t, 3> corners{cycle[i + 1].vertex, cycle[i].vertex, cycle[i + 2].vertex};
+        features[face] = posed_feature(hulls, face, corners);
+        if (auto fixed = FixedClosest::of_features(features, radii, names, FixedClosest::Foot::in_face)) return fixed;
+    }
+    return std::nullopt;
+}
 
 // Tries the witness's triangles first. The features that they suggest are proven like any others.
 std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {

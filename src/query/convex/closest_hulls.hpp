@@ -18,6 +18,7 @@
 #include "exact/measure/distance/feature_pair.hpp"
 #include "exact/measure/round/rounded_ends.hpp"
 #include "exact/measure/round/squared_distance.hpp"
+#include "query/convex/fixed_closest.hpp"
 #include "query/convex/gjk.hpp"
 #include "query/convex/hull_features.hpp"
 #include "query/convex/posed_hulls.hpp"
@@ -102,12 +103,21 @@ bool are_closest_of_triangles(PosedHulls& hulls, const HullFeatures& found);
 std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeatures& found, std::size_t side,
                                             std::uint32_t at, std::span<const Hull::Neighbor> neighbors);
 
+// A HullFeaturePair is a feature of each of two solids.
+using HullFeaturePair = std::array<HullFeature, 2>;
+
+// Returns the closest points in fixed precision, named as ClosestPoints says; nullopt unless they are the only ones,
+// and fixed precision shows where they are.
+std::optional<FixedClosest> find_fixed(const PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii);
+
+// Does the same for named features, which have one pair of closest points, in the interiors of both. The features are
+// as FixedClosest::of_features() takes them.
+std::optional<FixedClosest> find_fixed(const PosedHulls& hulls, const HullFeaturePair& parts,
+                                       const exact::Radii& radii);
+
 // Chooses the features that name the closest points, by the rule of ClosestPoints, and computes these points. If radii
 // are given, points and distance are those of the rounded hulls.
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii = {});
-
-// A HullFeaturePair is a feature of each of two solids.
-using HullFeaturePair = std::array<HullFeature, 2>;
 
 // A LeastDifference describes all pairs of points of two solids that have the least difference. If the solids share no
 // point, these are the closest pairs; otherwise, the pairs that the shortest translation brings together.

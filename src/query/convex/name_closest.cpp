@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/double_key.hpp"
 #include "exact/measure/distance/closest_points.hpp"
 #include "exact/measure/distance/set_ends.hpp"
 #include "exact/measure/round/distance_beyond.hpp"
@@ -274,6 +275,11 @@ ClosestPoints measure_closest(PosedHulls& hulls, const Parts& parts, const exact
 }  // namespace
 
 ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii) {
+    const auto fixed = find_fixed(hulls, closest, radii);
+    if (auto points = fixed ? fixed->signed_closest() : std::nullopt) {
+        points->distance = positive_part(points->distance);
+        return *points;
+    }
     const Parts parts{closest.part(hulls, 0), closest.part(hulls, 1)};
     if (closest.are_only) return measure_closest(hulls, parts, radii);
     const Vec3 normal = round_direction(hulls, closest.found);
@@ -282,6 +288,8 @@ ClosestPoints name_closest(PosedHulls& hulls, const ClosestHulls& closest, const
 
 ClosestPoints name_deepest(PosedHulls& hulls, const LeastDifference& least, const exact::Radii& radii) {
     const Parts parts = Naming(hulls, least.parts, square_of(hulls, least), least.normal, -1).find();
+    const auto fixed = least.is_zero ? std::nullopt : find_fixed(hulls, parts, radii);
+    if (const auto points = fixed ? fixed->inverted().signed_closest() : std::nullopt) return *points;
     const exact::ExactSum sum = radii.sum();
     if (sum.sign() == 0) return measure_closest(hulls, parts, {});
     const exact::LongDirection out_of_a = exact_normal(hulls, least), out_of_b = -out_of_a;

@@ -65,16 +65,18 @@ PosedHulls::PosedHulls(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
 }
 
 // Leaves points in their own unit, and returns true, if sizes are ordinary; otherwise returns false. The mesh's points
-// were divided by a power of two, so the entries of R are multiplied by this power.
+// were divided by a power of two, so the entries of R are multiplied by this power. A solid that is the origin alone
+// has no size.
 bool PosedHulls::scale_plainly() noexcept {
     double largest = 0;
     for (Body& body : bodies_) {
-        const int e = body.points->exponent;
+        const bool is_zero = body.points->exponent == -exact::BitRange::none;
+        const int e = is_zero ? 0 : body.points->exponent;
         if (e < -300 || e > 300) return false;
         const double power = power_of_two(e);
         const double size = largest_magnitude(body.at->R) * power;
         if (!(size <= 0x1p100)) return false;
-        largest = std::max(largest, size);
+        if (!is_zero) largest = std::max(largest, size);
         body.rows = rows_of(*body.at, [&](double r) { return r * power; });
     }
     if (!(largest >= 0x1p-100)) return false;

@@ -12,6 +12,16 @@
 namespace ecods {
 namespace {
 
+// Answers for two solids that are apart, if fixed precision decides all that is rounded.
+std::optional<SignedDistance> find_apart(const convex::PosedHulls& hulls, const convex::ClosestHulls& closest,
+                                         const exact::Radii& radii) {
+    const auto fixed = convex::find_fixed(hulls, closest, radii);
+    const auto at = fixed ? fixed->signed_closest() : std::nullopt;
+    const auto direction = at ? fixed->direction() : std::nullopt;
+    if (!direction) return std::nullopt;
+    return SignedDistance{at->distance, at->kind, at->a, at->b, at->point_a, at->point_b, *direction};
+}
+
 // Answers for two solids that share a point.
 SignedDistance deepest(convex::PosedHulls& hulls, const exact::Radii& radii, Asking& asking) {
     const std::optional<depths::ExactDepth> found = depths::find_depth(hulls, depths::DepthMemory::of(asking.memory()));
@@ -36,6 +46,7 @@ SignedDistance depths::signed_distance(const Posed<ConvexSolid>& a, const Posed<
     const exact::ExactSum margin = radii.sum();
     convex::PosedHulls hulls(a, b, memory);
     if (const auto closest = convex::find_closest(hulls, &asking.witness())) {
+        if (const auto apart = find_apart(hulls, *closest, radii)) return *apart;
         const ClosestPoints at = convex::name_closest(hulls, *closest, radii);
         const double distance = margin.sign() == 0
                                     ? at.distance

@@ -1,0 +1,91 @@
+// Answers questions about the closest points of two features in fixed precision, where that decides each answer: about
+// as fast as in doubles, and the same answers as those of exact arithmetic.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "ecods/pose.hpp"
+#include "ecods/results.hpp"
+#include "exact/measure/distance/closest_on_segments.hpp"
+#include "exact/measure/round/fixed_vector.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
+#include "exact/measure/round/scaled_vector.hpp"
+
+namespace ecods::convex {
+
+// Refers to a feature of a posed body by its vertices: one for a vertex, two for an edge, three of a face.
+struct PosedFeature {
+    const Pose* pose;
+    std::array<const Vec3*, 3> corners;
+    std::size_t count;
+};
+
+class FixedClosest {
+  public:
+    // A foot on a face may be known to be inside the face, or must be shown to be inside the triangle of its corners.
+    enum class Foot : std::uint8_t { in_triangle, in_face };
+
+    // The features that contain the closest points.
+    struct Names {
+        ClosestKind kind = ClosestKind::vertex_vertex;
+        Feature a, b;
+    };
+
+    // Returns nullopt unless fixed precision shows that exactly one pair of points of the features is closest, in the
+    // interiors of both. The features are two vertices, two edges, or a vertex and any feature. If the foot is known to
+    // be in a face, it must also be in the parallelogram of the first corner and the two others. Sets the kind of the
+    // names.
+    static std::optional<FixedClosest> of_features(const std::array<PosedFeature, 2>& features,
+                                                   const exact::Radii& radii, Names names,
+                                                   Foot foot = Foot::in_triangle) noexcept;
+
+    // Returns the same points for bodies that share them along the vector between the points: radii then move the
+    // points away from each other, and add to the distance, which is a depth.
+    FixedClosest inverted() const noexcept;
+
+    FixedClosest(const exact::ClosestOnSegments& at, const exact::FixedVector& w, int unit, const exact::Radii& radii,
+                 const Names& names) noexcept
+        : at_(at), w_(w), unit_(unit), radii_(radii), names_(names) {}
+
+    // The next functions return nullopt if a rounding is not certain. The distance is that of the features less both
+    // radii, also if it is negative.
+    std::optional<double> signed_distance() const noexcept;
+    std::optional<ClosestPoints> signed_closest() const noexcept;
+    // Returns adjacent doubles around the distance of the rounded bodies, or the distance twice if it is a double.
+    std::optional<DistanceBounds> distance_bounds() const noexcept;
+    // Returns the unit vector from the first feature's closest point to the second's.
+    std::optional<Vec3> direction() const noexcept;
+    // Returns the middle of the two points.
+    std::optional<Vec3> middle() const noexcept;
+
+    // True if no other points of the features are as close.
+    bool is_only() const noexcept { return at_.is_only; }
+    const Names& names() const noexcept { return names_; }
+
+    // Returns the vector from the first closest point to the second; its coordinates are off by at most errors().
+    exact::IntegerVector between() const noexcept { return exact::difference(at_.point[1], at_.point[0]); }
+    exact::ErrorBounds errors() const noexcept {
+        const auto& [x, y] = at_.errors;
+        return {x[0] + y[0], x[1] + y[1], x[2] + y[2]};
+    }
+
+  private:
+    // A number in units of 2^unit.
+    struct Gap {
+        exact::FixedNumber number;
+        int unit;
+    };
+    Gap gap() const noexcept;  // the distance of the features less both radii
+
+    exact::ClosestOnSegments at_;
+    exact::FixedVector w_;
+    int unit_;
+    bool is_inverted_ = false;
+    exact::Radii radii_;
+    Names names_;
+};
+
+}  // namespace ecods::convex
