@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -98,6 +99,39 @@ TEST_F(FixedClosestTest, HardPairs) {
         if (HasFailure()) return;
     }
     EXPECT_GE(decided, 60);
+}
+
+// The foot of a vertex on a triangle, and on the face whose parallelogram the triangle's corners span.
+TEST_F(FixedClosestTest, FeetOfAVertex) {
+    using convex::FixedClosest;
+    const Pose pose;
+    const std::array<Vec3, 3> corners{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
+    const convex::PosedFeature face{&pose, {&corners[0], &corners[1], &corners[2]}, 3};
+    const auto number_of = [&](const Vec3& x, FixedClosest::Foot foot, bool is_inverted) -> std::optional<double> {
+        const convex::PosedFeature vertex{&pose, {&x, nullptr, nullptr}, 1};
+        const auto found = FixedClosest::of_features({vertex, face}, {1, 0.5}, {}, foot);
+        const auto back = FixedClosest::of_features({face, vertex}, {0.5, 1}, {}, foot);
+        EXPECT_EQ(found.has_value(), back.has_value());
+        if (!found || !back) return std::nullopt;
+        const auto points = (is_inverted ? found->inverted() : *found).signed_closest();
+        const auto turned = (is_inverted ? back->inverted() : *back).signed_closest();
+        EXPECT_EQ(points->point_a, turned->point_b);
+        EXPECT_EQ(points->point_b, turned->point_a);
+        const double way = is_inverted ? -1 : 1;
+        EXPECT_EQ(points->point_a, Vec3(x[0], x[1], x[2] - way));
+        EXPECT_EQ(points->point_b, Vec3(x[0], x[1], 0.5 * way));
+        EXPECT_EQ(*found->direction(), Vec3(0, 0, -1));
+        return points->distance;
+    };
+    constexpr auto in_triangle = FixedClosest::Foot::in_triangle, in_face = FixedClosest::Foot::in_face;
+    EXPECT_EQ(number_of({1, 1, 3}, in_triangle, false), 1.5);
+    EXPECT_EQ(number_of({1, 1, 3}, in_face, true), 4.5) << "radii add to a depth";
+    EXPECT_EQ(number_of({3, 2, 3}, in_face, false), 1.5);
+    for (const Vec3& x : {Vec3(3, 2, 3), {2, 2, 3}, {2, 2 + 0x1p-50, 3}, {5, 1, 3}, {-1, 1, 3}}) {
+        EXPECT_EQ(number_of(x, in_triangle, false), std::nullopt) << x.transpose();
+    }
+    EXPECT_EQ(number_of({5, 1, 3}, in_face, false), std::nullopt) << "the vertex is closest to a side";
+    EXPECT_EQ(number_of({1, 1, 0}, in_face, false), std::nullopt) << "no direction";
 }
 
 TEST_F(FixedClosestTest, EachEnvironment) {
