@@ -261,16 +261,11 @@ void check_to_distance(const Way& way, double d, QueryMemory& memory, Counters& 
 
 // A surface in the world whose vertices go along the motion, each a bit aside, against the other one, which is at rest.
 void check_deforming(const Way& way, scenes::Random& random, QueryMemory& memory, Counters& counters) {
-    std::vector<Vec3> from, to;
-    const double aside = random.below(3) == 0 ? 0 : 0.25 * way.motion.norm();
-    for (const Vec3& v : way.a.what->mesh().vertices()) {
-        from.push_back(way.a.pose.R * v + way.a.pose.t);
-        to.push_back(from.back() + way.motion + random.uniform(0, aside) * random.direction());
-        if (!from.back().allFinite() || !to.back().allFinite()) return;
-    }
-    const auto triangles = way.a.what->mesh().triangles();
-    const auto start = std::make_shared<const MeshShape>(Mesh::create(from, {triangles.begin(), triangles.end()}));
-    const Deforming mesh(start, to);
+    const auto made = deformed(way.a, way.motion, random);
+    if (!made) return;
+    const Deforming& mesh = *made;
+    const std::shared_ptr<const MeshShape>& start = mesh.shape();
+    const auto triangles = start->mesh().triangles();
     const MeshShape other(way.b.what->mesh_ptr());
     const Posed<MeshShape> at_rest(other, way.b.pose);
     const oracle::Soup there{other.mesh().vertices(), other.mesh().triangles(), way.b.pose};
@@ -287,31 +282,6 @@ void check_deforming(const Way& way, scenes::Random& random, QueryMemory& memory
             oracle::first_contact(oracle::DeformingSoup{there, there}, moves));
     ++counters["checked: casts of deforming meshes"];
     counters["checked: deforming meshes that meet others"] += exact.has_value();
-}
-
-// A World says what asking body by body says.
-void check_world(const World& world, BodyId own, const Vec3& motion, QueryMemory& memory) {
-    std::optional<BodyEntry> expected;
-    for (const BodyId body : world.bodies()) {
-        if (numbers_of(body) == own || !may_meet(world, own, body)) continue;
-        try {
-            const auto found = entering(mesh_at(world, own), motion, mesh_at(world, body), 1, memory);
-            if (found && (!expected || found->time < expected->entry.time)) expected = BodyEntry{body, *found};
-        } catch (const NotSupported&) {
-            return;
-        }
-    }
-    const auto got = world.entering(own, motion, memory);
-    if (got != expected) {
-        throw CheckFailed("first body entered", expected ? text(expected->body) : "none",
-                          got ? text(got->body) : "none");
-    }
-    const auto met = world.cast(own, motion, 1, memory);
-    if (!met) return;
-    const ContactPoint of_world = world.contact_point(own, motion, *met, memory);
-    if (of_world != contact_point(mesh_at(world, own), motion, mesh_at(world, met->body), met->contact, memory)) {
-        throw CheckFailed("point of a first contact in a world", "that of two bodies", judge::text(of_world.point));
-    }
 }
 
 }  // namespace
@@ -338,7 +308,8 @@ void check_contacts(std::span<World* const> worlds, std::uint32_t seed, Counters
     const double d = random.below(4) == 0 ? 0.25 : size * (random.below(2) == 0 ? 0.125 : random.uniform(0, 0.5));
     if (std::isfinite(d) && way.pair_count() <= near_pairs_max) check_to_distance(way, d, memory, counters);
     if (way.pair_count() <= solid_pairs_max) check_deforming(way, random, memory, counters);
-    if (std::ranges::all_of(bodies, is_mesh)) check_world(*worlds[seed % worlds.size()], own, motion, memory);
+    if (!std::ranges::all_of(bodies, is_mesh)) return;
+    check_contacts_of_world(*worlds[seed % worlds.size()], own, motion, random, memory, counters);
 }
 
 }  // namespace ecods::fuzz

@@ -8,6 +8,7 @@
 
 #include "ecods/world.hpp"
 #include "fuzz/base/counters.hpp"
+#include "scenes/random.hpp"
 
 namespace ecods::fuzz {
 
@@ -20,7 +21,12 @@ namespace ecods::fuzz {
 //  - cast_to_distance() is that of all pairs of triangles by the oracle, or at least at that distance or further at
 //    samples before it, and is the same in both orders and up to limits of time;
 //  - a surface whose vertices each go to a place of their own meets the other one as the oracle says;
-//  - and World::entering and contact_point are those of two bodies.
+//  - and check_contacts_of_world() finds nothing wrong, if all bodies are meshes.
 void check_contacts(std::span<World* const> worlds, std::uint32_t seed, Counters& counters);
+
+// Throws CheckFailed unless entering(), up to limits of time, contact_point(), and the cast of a deforming mesh are
+// those of two bodies: of the first one. `own` is translated by the motion. All bodies must be meshes.
+void check_contacts_of_world(const World& world, BodyId own, const Vec3& motion, scenes::Random& random,
+                             QueryMemory& memory, Counters& counters);
 
 }  // namespace ecods::fuzz

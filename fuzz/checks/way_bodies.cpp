@@ -28,6 +28,18 @@ Posed<MeshShape> mesh_at(const World& world, BodyId body) {
     return mesh_at(*world.shape(body), world.pose(body));
 }
 
+std::optional<Deforming> deformed(const Posed<MeshShape>& body, const Vec3& motion, scenes::Random& random) {
+    std::vector<Vec3> from, to;
+    const double aside = random.below(3) == 0 ? 0 : 0.25 * motion.norm();
+    for (const Vec3& v : body.what->mesh().vertices()) {
+        from.push_back(body.pose.R * v + body.pose.t);
+        to.push_back(from.back() + motion + random.uniform(0, aside) * random.direction());
+        if (!from.back().allFinite() || !to.back().allFinite()) return std::nullopt;
+    }
+    const auto triangles = body.what->mesh().triangles();
+    return Deforming(std::make_shared<const MeshShape>(Mesh::create(from, {triangles.begin(), triangles.end()})), to);
+}
+
 Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Random& random) {
     const BodyId body = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
     const Aabb box = world.box(body);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
 
+#include "ecods/deforming.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
@@ -20,6 +22,9 @@ inline constexpr std::size_t few = 24, very_few = 12;
 // The mesh of a body that is not rounded.
 Posed<MeshShape> mesh_at(const Shape& shape, const Pose& pose);
 Posed<MeshShape> mesh_at(const World& world, BodyId body);
+
+// The mesh of a body, each vertex of which goes to a place near that of the translation; nullopt if one is no double.
+std::optional<Deforming> deformed(const Posed<MeshShape>& body, const Vec3& motion, scenes::Random& random);
 
 // A point that bodies are near: a corner of a mesh at its pose, or of a box. Points that are no doubles are left out.
 Vec3 any_point(const World& world, const std::vector<BodyId>& bodies, scenes::Random& random);

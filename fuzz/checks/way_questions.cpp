@@ -11,6 +11,7 @@
 #include "ecods/cast.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/checks/truth.hpp"
@@ -86,6 +87,55 @@ void check_sides(const Line& line, const Posed<MeshShape>& body, QueryMemory& me
     counters["checked: sides of hits"] += sided.size();
 }
 
+// In a world of meshes, sided_hits() has the hits of all_hits() in their order, each with the sides that it has in the
+// list of its body; and inside_parts() has the parts of each body in their order, and all in that of where they begin.
+template <class Line>
+void check_sides_of_world(const World& world, const Line& line, const std::optional<CollisionFilter>& filter,
+                          QueryMemory& memory, Counters& counters) {
+    const auto hits = world.all_hits(line, filter, memory);
+    const auto sided = world.sided_hits(line, filter, memory);
+    const auto parts = world.inside_parts(line, filter, memory);
+    const auto require = [&](bool holds, const char* what) {
+        if (!holds)
+            throw CheckFailed(what, "those of each body", fmt::format("{} hits, {} parts", sided.size(), parts.size()));
+    };
+    require(sided.size() == hits.size(), "sides of hits in a world");
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const bool is_same = fields(hits[i]) == fields({sided[i].body, sided[i].sided.hit});
+        require(is_same && hits[i].hit.rank == sided[i].sided.hit.rank, "hits with sides in a world");
+    }
+    require(std::ranges::is_sorted(parts, {}, [](const BodyInsidePart& p) { return p.part.from; }), "order of parts");
+    std::size_t part_count = 0;
+    for (const BodyId body : world.bodies()) {
+        const Posed<MeshShape> mesh = mesh_at(world, body);
+        const bool is_asked = !filter || ecods::may_meet(*filter, world.filter(body));
+        std::size_t next = 0;
+        const auto of_body = is_asked ? sided_hits(line, mesh, memory) : std::vector<SidedHit>();
+        for (const BodySidedHit& each : sided) {
+            if (each.body != body) continue;
+            const SidedHit& s = each.sided;
+            const bool is_known = next < of_body.size();
+            const SidedHit expected = is_known ? of_body[next++] : SidedHit();
+            require(is_known && std::tuple(s.before, s.after, s.passage, s.normal) ==
+                                    std::tuple(expected.before, expected.after, expected.passage, expected.normal),
+                    "sides of a hit in a world");
+        }
+        require(next == of_body.size(), "hits of a body with sides");
+        const auto solid = std::dynamic_pointer_cast<const Solid>(world.shape(body));
+        if (!solid || !is_asked) continue;
+        const auto expected = inside_parts(line, {solid, world.pose(body)}, memory);
+        std::vector<InsidePart> got;
+        for (const BodyInsidePart& each : parts) {
+            if (each.body == body) got.push_back(each.part);
+        }
+        require(got == expected, "parts inside a body of a world");
+        part_count += got.size();
+    }
+    require(part_count == parts.size(), "parts inside bodies of a world");
+    counters["checked: sides of hits in worlds"] += sided.size();
+    counters["checked: parts of lines inside bodies of worlds"] += part_count;
+}
+
 template <class Line>
 void check_line(std::span<World* const> worlds, const Line& line, const std::optional<CollisionFilter>& filter,
                 Counters& counters) {
@@ -120,6 +170,10 @@ void check_line(std::span<World* const> worlds, const Line& line, const std::opt
         std::ranges::sort(got, by_fields);
         const bool is_same = std::ranges::equal(got, expected, {}, fields, fields);
         if (!is_same) throw CheckFailed("hits of all bodies", text(expected), text(got));
+    }
+    const auto is_mesh = [&](BodyId body) { return first.shape(body)->kind() == ShapeKind::mesh(); };
+    if (std::ranges::all_of(first.bodies(), is_mesh)) {
+        check_sides_of_world(*worlds.back(), line, filter, memory, counters);
     }
     ++counters["checked: segments and rays in worlds"];
     counters["checked: hits in worlds"] += expected.size();

@@ -267,8 +267,8 @@ class ECODS_API World {
     [[nodiscard]] BodyHitLists all_hits(std::span<const Segment> lines, Filter filter = {}, const Ask& ask = {}) const;
     [[nodiscard]] BodyHitLists all_hits(std::span<const Ray> lines, Filter filter = {}, const Ask& ask = {}) const;
 
-    // Return all_hits() with normals and sides; and the parts of the line that are inside solids, where surfaces have
-    // none (hit.hpp). Throw InvalidArgument, and NotSupported if the shape of any body here is no mesh or solid.
+    // Return all_hits() with normals and sides; and the parts of the line that are inside solids (hit.hpp). Surfaces
+    // have no inside. Throw InvalidArgument, and NotSupported if the shape of any body here is no mesh or solid.
     [[nodiscard]] std::vector<BodySidedHit> sided_hits(const Segment& line, Filter filter = {},
                                                        const Ask& ask = {}) const;
     [[nodiscard]] std::vector<BodySidedHit> sided_hits(const Ray& line, Filter filter = {}, const Ask& ask = {}) const;
