@@ -88,6 +88,8 @@ MAKERS = {
     "Hit": lambda: ecods.first_hit(RAY, CUBE),
     "SidedHit": lambda: ecods.sided_hits(RAY, CUBE)[0],
     "InsidePart": lambda: ecods.inside_parts(ecods.Ray([-1, 0.25, 0.5], [1, 0, 0]), CUBE)[0],
+    "BodySidedHit": lambda: world().sided_hits(RAY)[0],
+    "BodyInsidePart": lambda: world().inside_parts(ecods.Ray([-1, 0.25, 0.5], [1, 0, 0]))[0],
     "FirstEntry": lambda: ecods.entering(CUBE, [3, 0, 0], CUBE.at(FAR)) or ecods.FirstEntry,
     "BodyEntry": lambda: world().entering(CUBE.at(FAR), [-9, 0, 0]),
     "ContactPoint": lambda: ecods.contact_point(CUBE, [3, 0, 0], CUBE.at(FAR), ecods.cast(CUBE, [3, 0, 0], CUBE.at(FAR))),

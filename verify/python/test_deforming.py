@@ -27,6 +27,11 @@ def test_a_sheet_falls_on_a_cube():
     assert ecods.cast(falls, rises).time == 0.5
     assert falls.vertices.tolist() == sheet(-1).vertices.tolist()
     assert falls.mesh.digest == sheet().digest
+    assert falls.box.tolist() == [[0, 0, -1], [1, 1, 3]]
+    world = ecods.World()
+    body = world.create_body(cube(), None)
+    assert world.cast(falls).body == body and world.cast(falls).contact.time == 0.5
+    assert world.cast(falls, max_time=0.25) is None
     with pytest.raises(ecods.InvalidMesh):
         ecods.Deforming(sheet(), [[0, 0, 0]])
     with pytest.raises(ecods.InvalidMesh):

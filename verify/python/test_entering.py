@@ -34,8 +34,29 @@ def test_a_world():
     mover = cube()
     found = world.entering(mover.at(None), [4, 0, 0])
     assert found.body == body and found.entry.time == 0.5
+    assert world.entering(mover.at(None), [4, 0, 0], max_time=0.5) is None
+    assert world.entering(mover.at(None), [4, 0, 0], 0.75) == found
     contact = world.cast(mover.at(None), [4, 0.25, 0])
     assert world.contact_point(mover.at(None), [4, 0.25, 0], contact).normal.tolist() == [1, 0, 0]
+
+
+def test_balls():
+    a, b = ecods.sphere(3), ecods.sphere(2).at(at(8, 3, 0))
+    contact = ecods.cast(a, [10, 0, 0], b)
+    found = ecods.contact_point(a, [10, 0, 0], b, contact)
+    assert found.point.tolist() == [6.4, 1.8, 0] and found.normal.tolist() == [0.8, 0.6, 0]
+    floor = cube(8, 8, 1)
+    ball = ecods.sphere(0.5).at(at(1, 2.5, 4))
+    for first, second, motion in ((ball, floor, [0, 0, -8]), (floor, ball, [0, 0, 8])):
+        contact = ecods.cast(first, motion, second)
+        point = ecods.contact_point(first, motion, second, contact)
+        assert point.normal.tolist() == [0, 0, np.sign(motion[2])]
+    world = ecods.World()
+    world.create_body(floor, None)
+    met = world.cast(ball, [0, 0, -8])
+    assert world.contact_point(ball, [0, 0, -8], met).point.tolist() == [1, 2.5, 1]
+    with pytest.raises(ecods.NotSupported):
+        ecods.contact_point(a, [10, 1, 0], b, ecods.cast(a, [10, 0, 0], b))
 
 
 def times(s, v):

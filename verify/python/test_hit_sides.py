@@ -32,6 +32,22 @@ def test_a_wall():
         ecods.inside_parts(line, ecods.Mesh(*box(1, 1, 1)))
 
 
+def test_a_world():
+    world = ecods.World()
+    bodies = [world.create_body(wall(), np.array([[1, 0, 0, 0], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1.0]]))
+              for y in (3, 0)]
+    line = ecods.Segment([1, -1, 2], [1, 7, 2])
+    hits = world.sided_hits(line)
+    assert [hit.body for hit in hits] == [bodies[1]] * 2 + [bodies[0]] * 2
+    assert [hit.sided.passage == ecods.Passage.enters for hit in hits] == [True, False] * 2
+    assert [(part.body, part.part.from_parameter) for part in world.inside_parts(line)] == [
+        (bodies[1], 0.125), (bodies[0], 0.5)]
+    assert world.inside_parts(ecods.Ray([1, -1, 2], [0, 1, 0], 0.5), filter=ecods.CollisionFilter(1, 1)) == []
+    world.create_body(ecods.sphere(1), None)
+    with pytest.raises(ecods.NotSupported):
+        world.sided_hits(line)
+
+
 def test_all_hits_of_many_rays():
     solid = wall()
     origins = np.array([[1, -1, 2.5], [1, 0.5, 2.5], [9, 9, 9.0]])

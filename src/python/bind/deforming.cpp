@@ -40,6 +40,7 @@ void add_deforming(py::module_& m) {
              "Makes one of a Mesh and the vertices (n, 3) at time 1. Raises InvalidMesh, also for too few vertices.");
     type.def_property_readonly("mesh", &deforming_mesh, "The Mesh at time 0.");
     type.def_property_readonly("vertices", &vertices_at_end, "(n, 3) float64: at time 1.");
+    type.def_property_readonly("box", &Deforming::box, "(2, 3) float64: the box of all triangles at all times.");
     type.def("__repr__", [](const Deforming& self) {
         return "<ecods.Deforming of " + std::string(py::repr(py::cast(deforming_mesh(self)))) + ">";
     });

@@ -9,6 +9,16 @@
 #include "python/bind/shapes.hpp"
 
 namespace ecods::python {
+namespace {
+
+template <class A, class B>
+void add_rounded_contact_point(py::module_& m) {
+    m.def("contact_point", asked<A, Vec3, B, FirstContact>(ECODS_QUESTION(contact_point)), py::arg("a"),
+          py::arg("motion"), py::arg("b"), py::arg("contact"),
+          "The same of rounded bodies: the point that both share, and the unit vector from one core to the other.");
+}
+
+}  // namespace
 
 void bind_entering(py::module_& m) {
     add_record(m, "FirstEntry", "When a body first goes into another one.",
@@ -37,6 +47,9 @@ void bind_entering(py::module_& m) {
           py::arg("contact"),
           "ContactPoint of a FirstContact that cast(a, motion, b) returned. Raises NotSupported for another contact.");
     const py::arg contact("contact");
+    add_rounded_contact_point<PosedRounded, PosedRounded>(m);
+    add_rounded_contact_point<PosedRounded, PosedMesh>(m);
+    add_rounded_contact_point<PosedMesh, PosedRounded>(m);
     m.def("contact_point", asked<Turning<MeshShape>, PosedMesh, FirstContact>(ECODS_QUESTION(contact_point)), a, b,
           contact,
           "The same of a body that turns and b, which stays. The normal is that at the exact time; None unless the "

@@ -40,6 +40,12 @@ void add_side_records(py::module_& m) {
                Field{"begin", &InsidePart::begin, "PartEnd"}, Field{"end", &InsidePart::end, "PartEnd"},
                Field{"from_point", &InsidePart::from_point, "(3,) float64, each coordinate rounded once."},
                Field{"to_point", &InsidePart::to_point, "(3,) float64, each coordinate rounded once."});
+    add_record(m, "BodySidedHit", "A hit of a body of a world, with its sides.",
+               Field{"body", &BodySidedHit::body, "The body's id."},
+               Field{"sided", &BodySidedHit::sided, "The SidedHit; its rank counts the hits of all bodies."});
+    add_record(m, "BodyInsidePart", "A part of a segment or a ray that is inside a body of a world.",
+               Field{"body", &BodyInsidePart::body, "The body's id."},
+               Field{"part", &BodyInsidePart::part, "The InsidePart."});
 }
 
 template <class Line>

@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "ecods/hit.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/trace.hpp"
 #include "python/bind/casters.hpp"
@@ -25,6 +26,10 @@ inline bool are_same(const std::shared_ptr<ConvexSolid>& a, const std::shared_pt
 inline bool are_same(const Hit& a, const Hit& b) {
     return a.parameter == b.parameter && a.leave_parameter == b.leave_parameter && a.kind == b.kind &&
            a.rank == b.rank && a.feature == b.feature && a.point == b.point && a.leave_point == b.leave_point;
+}
+inline bool are_same(const SidedHit& a, const SidedHit& b) {
+    return are_same(a.hit, b.hit) && a.before == b.before && a.after == b.after && a.passage == b.passage &&
+           a.normal == b.normal;
 }
 
 inline bool are_same(const std::optional<ReplayReport::Difference>& a,

@@ -73,6 +73,12 @@ void add_hits(WorldClass& type, const py::arg_v& filter) {
              "BodyHit of least real parameter of a Segment or Ray, or None.");
     type.def("all_hits", asked_of_world<Line, Filter>(ECODS_CALL(all_hits)), py::arg("line"), filter,
              "All hits of a Segment or Ray: a list of BodyHit, by real parameter.");
+    type.def("sided_hits", asked_of_world<Line, Filter>(ECODS_CALL(sided_hits)), py::arg("line"), filter,
+             "all_hits() with normals and sides: a list of BodySidedHit. Raises NotSupported unless all bodies are "
+             "meshes or Solids.");
+    type.def("inside_parts", asked_of_world<Line, Filter>(ECODS_CALL(inside_parts)), py::arg("line"), filter,
+             "The parts of a Segment or Ray that are inside Solids: a list of BodyInsidePart, by the real parameter "
+             "where they begin. Raises as sided_hits() does.");
 }
 
 // Binds motions first: a list of them is never an array of poses, and an object that is no such list may be one.
@@ -129,12 +135,12 @@ void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
         "or None. Raises NotSupported where a half space may be met, InvalidArgument.");
     type.def(
         "entering",
-        [](const SharedWorld& self, const Subject& subject, const Vec3& motion, const Filter& only) {
-            return self.read([&](const World& world) { return world.entering(to_asked(subject, only), motion); });
+        [](const SharedWorld& self, const Subject& subject, const Vec3& motion, double most, const Filter& only) {
+            return self.read([&](const World& world) { return world.entering(to_asked(subject, only), motion, most); });
         },
-        what, py::arg("motion"), filter,
-        "BodyEntry: the body that a body, a Mesh or a Posed goes into first, translated as in cast(), or None. Raises "
-        "NotSupported unless all are surfaces or all are Solids, InvalidArgument.");
+        what, py::arg("motion"), py::arg("max_time") = 1.0, filter,
+        "BodyEntry: the body that a body, a Mesh or a Posed goes into first, translated as in cast(), before max_time, "
+        "or None. Raises NotSupported unless all are surfaces or all are Solids, InvalidArgument.");
     type.def(
         "contact_point",
         [](const SharedWorld& self, const Subject& subject, const Vec3& motion, const BodyContact& contact) {
@@ -143,7 +149,15 @@ void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
         },
         what, py::arg("motion"), py::arg("contact"),
         "ContactPoint of a BodyContact that cast() of these arguments returned. Raises NotSupported for other shapes "
-        "than meshes and solids.");
+        "than meshes, solids and rounded ones.");
+    type.def(
+        "cast",
+        [](const SharedWorld& self, const Deforming& mesh, double most, const Filter& only) {
+            return self.read([&](const World& world) { return world.cast(mesh, most, only); });
+        },
+        py::arg("mesh"), py::arg("max_time") = 1.0, filter,
+        "BodyContact: the body that a Deforming mesh meets first, up to max_time, or None. Raises NotSupported if one "
+        "that the filter may meet is no Mesh or Solid, InvalidArgument.");
     add_meetings(type);
 }
 
