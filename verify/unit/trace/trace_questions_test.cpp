@@ -41,7 +41,7 @@ std::string traced(const TraceOptions& options) {
     std::ignore = world.cast(bodies[0], Straight{at(8)});
     std::ignore =
         world.meetings(std::vector{bodies[2], bodies[0]}, std::vector<Motion>{turn, Translation{Vec3(4, 0.1, 0)}});
-    std::ignore = world.meetings(std::vector{bodies[2]}, std::vector<Motion>{Straight{at(0)}});
+    std::ignore = world.meetings(std::vector{bodies[2], bodies[0]}, std::vector<Motion>{Straight{at(0)}, turn});
     const Along nodes{{{{2, 0, 0, 0}, Vec3(3, 0, 0)}, {{0, 0, 1, 0}, Vec3(3, 0, 0)}, {{0, 0, 1, 1}, Vec3(4, 0.1, 0)}}};
     std::ignore = world.cast(bodies[0], nodes, 0.75);
     std::ignore = world.meetings(std::vector{bodies[2], bodies[0]}, std::vector<Motion>{nodes, Translation()});
