@@ -65,6 +65,8 @@ class KindsWorld {
         if (!wrong) wrong = differ("close pairs that began", without(close, last_close_), world_.close_began());
         if (!wrong) wrong = differ("close pairs that ended", without(last_close_, close), world_.close_ended());
         if (!wrong) wrong = check_distances(pairs);
+        if (!wrong) wrong = check_nearest(pairs);
+        if (!wrong) wrong = check_fresh();
         last_colliding_ = colliding;
         last_close_ = close;
         return wrong;
@@ -74,7 +76,11 @@ class KindsWorld {
   private:
     double eighths(std::uint32_t count) { return 0.125 * random_.below(count); }
     Vec3 point() { return {eighths(9) - 0.5, eighths(9) - 0.5, eighths(9) - 0.5}; }
-    double radius() { return random_.below(3) == 0 ? 0x1p-60 : eighths(7); }
+    // Radii that differ by 2^1000 and more, also none.
+    double radius() {
+        constexpr double tiny[] = {0, 0x1p-60, 0x1p-1000, 0x1p-1074};
+        return random_.below(3) == 0 ? tiny[random_.below(4)] : eighths(7);
+    }
     std::shared_ptr<const MeshShape> any_core() {
         switch (random_.below(4)) {
             case 0:
@@ -112,6 +118,8 @@ class KindsWorld {
         if (random_.below(4) == 0 && !bodies_.empty()) {
             pose.t = bodies_[random_.below(static_cast<std::uint32_t>(bodies_.size()))].pose.t + 0.25 * point();
         }
+        // Beside the lattice by so little that distances are below 2^-1074.
+        if (random_.below(6) == 0) pose.t[static_cast<Eigen::Index>(random_.below(3))] = 0x1p-600;
         return pose;
     }
     CollisionFilter any_filter() {
@@ -193,6 +201,36 @@ class KindsWorld {
         return differ("signed distances", close, world_.signed_distances(clearance, memory_));
     }
 
+    // The body nearest to one of them.
+    std::optional<judge::Wrong> check_nearest(const std::vector<JudgedPair>& pairs) {
+        const BodyId subject = bodies_[random_.below(static_cast<std::uint32_t>(bodies_.size()))].id;
+        std::vector<NearestBody> expected, got;
+        for (const JudgedPair& pair : pairs) {
+            if (pair.bodies.a != subject && pair.bodies.b != subject) continue;
+            const BodyId other = pair.bodies.a == subject ? pair.bodies.b : pair.bodies.a;
+            const NearestBody next{other, std::max(pair.distance, 0.0)};
+            const auto key = [](const NearestBody& body) { return std::pair(body.distance, body.body); };
+            if (expected.empty() || key(next) < key(expected.front())) expected = {next};
+        }
+        if (const auto found = world_.nearest(subject, World::no_limit, memory_)) got.push_back(*found);
+        return differ("nearest body", expected, got);
+    }
+
+    // A world in which all bodies are new has the same lists, whatever radii and shapes were before.
+    std::optional<judge::Wrong> check_fresh() const {
+        World fresh;
+        fresh.set_clearance(clearance);
+        for (const MixedBody& body : bodies_) {
+            fresh.create_body({.shape = body.shape, .pose = body.pose, .filter = body.filter});
+        }
+        fresh.update();
+        if (fresh.digest() == world_.digest()) return std::nullopt;
+        return judge::Wrong{"digest", "that of a fresh world", "another"};
+    }
+
+    static std::string text_of(const NearestBody& body) {
+        return (std::ostringstream() << body.body << " " << std::hexfloat << body.distance).str();
+    }
     static std::string text_of(const BodyPair& pair) { return (std::ostringstream() << pair).str(); }
     template <class Listed>
     static std::string text_of(const Listed& pair) {

@@ -86,7 +86,9 @@ inline constexpr std::uint32_t max_subdivisions = 6;
                                                                   const Vec2& spacing, double base);
 
 // Returns the points as a body: triangle i is the point {i, i, i}. Throws InvalidMesh if a point is not finite, or if
-// there are no points.
+// there are no points. For points with a radius, round it (rounded.hpp). Cost: about a microsecond a point with its
+// tree, and some 100 bytes, of which 66 are the tree's; the distance of a point or a ball from a million points takes
+// some tens of microseconds.
 [[nodiscard]] ECODS_API std::shared_ptr<const MeshShape> point_cloud(std::span<const Vec3> points);
 
 }  // namespace ecods

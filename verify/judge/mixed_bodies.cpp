@@ -97,6 +97,11 @@ double MixedBody::radius() const {
 
 MixedDistance::MixedDistance(const MixedBody& a, const MixedBody& b) : number_(number_of(a, b)) {}
 
+double MixedDistance::nearest() const {
+    const double rounded = oracle::nearest(number_);
+    return rounded == 0 ? number_.sign() * 0x1p-1074 : rounded;
+}
+
 int MixedDistance::compare(double d) const {
     FractionAndRoot rest = number_;
     rest.fraction -= mpq_class(d);

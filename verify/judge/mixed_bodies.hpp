@@ -33,7 +33,7 @@ class MixedDistance {
   public:
     MixedDistance(const MixedBody& a, const MixedBody& b);
 
-    double nearest() const { return oracle::nearest(number_); }
+    double nearest() const;       // rounded once, at least 2^-1074 in magnitude unless it is 0
     int compare(double d) const;  // the sign of the real number less d
 
   private:
