@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/gjk.hpp"
+#include "query/convex/gjk_rounds.hpp"
 #include "query/convex/posed_hulls.hpp"
 
 namespace ecods {
@@ -31,6 +33,21 @@ PosedFeature posed_feature(const PosedHulls& hulls, std::size_t side, std::span<
 
 FixedClosest::Names names_of(const PosedHulls& hulls, const HullFeaturePair& parts) noexcept {
     return {{}, name_of(hulls.hull(0), parts[0]), name_of(hulls.hull(1), parts[1])};
+}
+
+// Runs GJK, and proves what it found.
+QuickClosest run(PosedHulls& hulls, const Simplex& start) {
+    QuickClosest result{run_gjk(hulls, start), std::nullopt, false};
+    result.do_meet = prove_meeting(hulls, result.guess);
+    if (!result.do_meet) result.closest = prove_closest(hulls, result.guess);
+    return result;
+}
+
+std::optional<ClosestHulls> finish(PosedHulls& hulls, QuickClosest found, PairWitness* witness) {
+    if (witness != nullptr) leave(hulls, found.guess, *witness);
+    if (!found.do_meet && !found.closest) found.closest = find_closest_exactly(hulls, found.guess);
+    if (found.closest && witness != nullptr) leave(hulls, *found.closest, *witness);
+    return std::move(found.closest);
 }
 
 }  // namespace
@@ -64,22 +81,27 @@ std::optional<FixedClosest> convex::find_fixed(const PosedHulls& hulls, const Hu
 }
 
 // Tries the witness's triangles first. The features that they suggest are proven like any others.
-std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {
-    if (witness == nullptr || !is_known(*witness)) return find_closest(hulls, between_centers(hulls), witness);
+QuickClosest convex::find_quickly(PosedHulls& hulls, const PairWitness* witness) {
+    if (witness == nullptr || !is_known(*witness)) return run(hulls, between_centers(hulls));
     const Simplex guess =
         run_gjk_of_triangles(hulls, {hulls.vertices_near(0, witness->a), hulls.vertices_near(1, witness->b)});
-    if (auto proven = prove_closest(hulls, guess)) return proven;
-    return find_closest(hulls, guess, witness);
+    if (auto proven = prove_closest(hulls, guess)) return {guess, std::move(proven), false};
+    return run(hulls, guess);
 }
 
+bool convex::QuickClosest::may_touch(const PosedHulls& hulls) const noexcept {
+    const double size = 0x1p-20 * (hulls.size(0) + hulls.size(1));
+    return !do_meet && !closest && !(gjk::find_nearest(guess).square > size * size);
+}
+
+std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, const QuickClosest& found, PairWitness* witness) {
+    return finish(hulls, found, witness);
+}
+std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, PairWitness* witness) {
+    return finish(hulls, find_quickly(hulls, witness), witness);
+}
 std::optional<ClosestHulls> convex::find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness) {
-    const Simplex guess = run_gjk(hulls, start);
-    if (witness != nullptr) leave(hulls, guess, *witness);
-    if (prove_meeting(hulls, guess)) return std::nullopt;
-    std::optional<ClosestHulls> closest = prove_closest(hulls, guess);
-    if (!closest) closest = find_closest_exactly(hulls, guess);
-    if (closest && witness != nullptr) leave(hulls, *closest, *witness);
-    return closest;
+    return finish(hulls, run(hulls, start), witness);
 }
 
 }  // namespace ecods

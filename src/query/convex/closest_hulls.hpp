@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "base/short_list.hpp"
 #include "ecods/ask.hpp"
 #include "ecods/results.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
@@ -150,8 +151,11 @@ ClosestPoints name_deepest(PosedHulls& hulls, const LeastDifference& least, cons
 
 // Sets `pairs` to the corners of the region that all points of the least difference form, seen along the normal. A
 // corner is a pair of features with exactly one pair of points at the least difference, in the interior of both. The
-// order is not promised.
-void list_least(PosedHulls& hulls, const LeastDifference& least, std::vector<HullFeaturePair>& pairs);
+// order is not promised. `distance` is the least difference's size, rounded once. `way` is the vector from the first to
+// the second of two such points, in units of fixed points, if it is known exactly.
+using LeastPairs = ShortList<HullFeaturePair, 24>;
+void list_least(PosedHulls& hulls, const LeastDifference& least, double distance,
+                const std::optional<exact::IntegerVector>& way, LeastPairs& pairs);
 
 // Returns the features with the vertices by which exact functions measure them; for a face, these are its first three.
 HullFeatures features_of(const PosedHulls& hulls, const HullFeaturePair& parts) noexcept;
@@ -161,9 +165,24 @@ constexpr bool is_known(const PairWitness& witness) noexcept {
     return witness.a != PairWitness::none && witness.b != PairWitness::none;
 }
 
+// A QuickClosest has what is found of two solids before integers are needed: a guess; the closest features, if they are
+// proven; and if it is proven that the solids share a point.
+struct QuickClosest {
+    Simplex guess;
+    std::optional<ClosestHulls> closest;
+    bool do_meet = false;
+
+    // Returns true if neither is proven, and the guess is so near that the solids may share a point. A heuristic.
+    bool may_touch(const PosedHulls& hulls) const noexcept;
+};
+// `witness` is as in solid.hpp, or null.
+QuickClosest find_quickly(PosedHulls& hulls, const PairWitness* witness);
+
 // Finds where two solids are closest, by the cheapest of the functions above that succeeds. Returns nullopt if they
 // share a point. `witness` is as in solid.hpp, or null.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness);
+// Finds the same, but goes on where find_quickly() ended.
+std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const QuickClosest& found, PairWitness* witness);
 // Finds the same, but begins the search at the simplex `start`.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);
 

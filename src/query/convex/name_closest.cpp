@@ -9,9 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <vector>
+#include <optional>
 
 #include "base/double_key.hpp"
+#include "base/short_list.hpp"
 #include "exact/measure/distance/closest_points.hpp"
 #include "exact/measure/distance/set_ends.hpp"
 #include "exact/measure/round/distance_beyond.hpp"
@@ -19,6 +20,7 @@
 #include "geometry/feature_key.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/exact_hulls.hpp"
+#include "query/convex/on_way.hpp"
 #include "query/convex/planar_features.hpp"
 
 namespace ecods::convex {
@@ -49,11 +51,10 @@ HullFeatures features_of(const PosedHulls& hulls, const Parts& parts) noexcept {
 
 namespace {
 
-// Returns the distance in the unit of rounded points; infinity if this cannot be computed with the full precision of a
-// double.
-double rounded_distance(const PosedHulls& hulls, const exact::SquaredDistance& square) noexcept {
-    if (square.num.is_zero()) return 0;
-    const double distance = exact::round_root(square);
+// Returns a distance in the unit of rounded points; infinity if this cannot be computed with the full precision of a
+// double. The distance must be rounded once, and at least the least double if it is positive.
+double in_units_of(const PosedHulls& hulls, double distance) noexcept {
+    if (key_of(distance) == 0) return 0;
     if (!(distance > 0x1p-1000 && distance < 0x1p1000)) return std::numeric_limits<double>::infinity();
     const int exponent = exponent_above(distance) - hulls.exponent();
     if (exponent <= -800 || exponent >= 800) return std::numeric_limits<double>::infinity();
@@ -67,13 +68,19 @@ class Naming {
     // `parts` are the features that contain all pairs of points at the least distance, and `least` is its square.
     // `normal` is the rounded direction of `turned` times the vector between two such points.
     Naming(PosedHulls& hulls, const Parts& parts, const exact::SquaredDistance& least, const Vec3& normal, int turned)
-        : hulls_(hulls),
-          parts_(parts),
-          least_(least),
-          planar_(hulls, parts, normal, turned * rounded_distance(hulls, least)) {}
+        : Naming(hulls, parts, normal, turned * in_units_of(hulls, exact::round_root(least))) {
+        least_ = least;
+    }
+    // Computes the square when it is needed. `way` is the vector between two such points, if it is known (list_least).
+    Naming(PosedHulls& hulls, const LeastDifference& least, double distance,
+           const std::optional<exact::IntegerVector>& way)
+        : Naming(hulls, least.parts, least.normal, (least.is_depth ? -1 : 1) * in_units_of(hulls, distance)) {
+        of_ = &least;
+        way_ = way;
+    }
 
     // Lists all pairs of features at the least distance.
-    void list(std::vector<Parts>& pairs) {
+    void list(LeastPairs& pairs) {
         pairs.clear();
         pairs_ = &pairs;
         for (const std::size_t side : {0, 1}) places_[side].assign(planar_.vertex_count(side), {});
@@ -101,29 +108,28 @@ class Naming {
     }
 
   private:
+    Naming(PosedHulls& hulls, const Parts& parts, const Vec3& normal, double along)
+        : hulls_(hulls), parts_(parts), planar_(hulls, parts, normal, along) {}
+
     void try_vertices() {
-        for (std::size_t i = 0; i < planar_.vertex_count(0); ++i) {
-            for (std::size_t j = 0; j < planar_.vertex_count(1); ++j) {
-                if (!planar_.may_meet(i, j)) continue;
-                const Parts parts{planar_.vertex(0, i), planar_.vertex(1, j)};
-                if (!is_wanted(parts) || !holds(parts)) continue;
-                take(parts);
-                place(0, i, Kind::vertex, j);
-                place(1, j, Kind::vertex, i);
-            }
-        }
+        planar_.visit_meeting([&](std::size_t i, std::size_t j) {
+            const Parts parts{planar_.vertex(0, i), planar_.vertex(1, j)};
+            if (!is_wanted(parts) || !holds(parts)) return;
+            take(parts);
+            place(0, i, Kind::vertex, j);
+            place(1, j, Kind::vertex, i);
+            find_way(i, j);
+        });
     }
 
     void try_vertex_and_edge(std::size_t side) {
-        for (std::size_t i = 0; i < planar_.vertex_count(side); ++i) {
-            for (std::size_t j = 0; j < planar_.edge_count(1 - side) && !is_placed(side, i); ++j) {
-                if (!planar_.may_be_on(side, i, j)) continue;
-                const Parts parts = of_sides(side, planar_.vertex(side, i), planar_.edge(1 - side, j));
-                if (!is_wanted(parts) || !holds(parts)) continue;
-                take(parts);
-                place(side, i, Kind::edge, j);
-            }
-        }
+        planar_.visit_on_edges(side, [&](std::size_t i, std::size_t j) {
+            const Parts parts = of_sides(side, planar_.vertex(side, i), planar_.edge(1 - side, j));
+            if (is_placed(side, i) || !is_wanted(parts) || !holds(parts)) return is_placed(side, i);
+            take(parts);
+            place(side, i, Kind::edge, j);
+            return is_placed(side, i);
+        });
     }
 
     void try_vertex_and_face(std::size_t side) {
@@ -177,24 +183,23 @@ class Naming {
     bool is_placed(std::size_t side, std::size_t i) const noexcept {
         return pairs_ != nullptr && places_[side][i].kind != Kind::none;
     }
-    std::size_t next(std::size_t side, std::size_t i) const noexcept {
-        return i + 1 == planar_.vertex_count(side) ? 0 : i + 1;
-    }
     // Returns true if vertex i of a polygon is placed on edge j of the other one, or at an end of this edge.
     bool is_placed_on(std::size_t side, std::size_t i, std::size_t j) const noexcept {
         const Place& at = places_[side][i];
         if (at.kind == Kind::edge) return at.index == j;
-        return at.kind == Kind::vertex && (at.index == j || at.index == next(1 - side, j));
+        return at.kind == Kind::vertex && (at.index == j || at.index == planar_.next(1 - side, j));
     }
     bool do_share_an_end(std::size_t i, std::size_t j) const noexcept {
         if (pairs_ == nullptr) return false;
-        return is_placed_on(0, i, j) || is_placed_on(0, next(0, i), j) || is_placed_on(1, j, i) ||
-               is_placed_on(1, next(1, j), i);
+        return is_placed_on(0, i, j) || is_placed_on(0, planar_.next(0, i), j) || is_placed_on(1, j, i) ||
+               is_placed_on(1, planar_.next(1, j), i);
     }
 
     // Returns true if `parts`, of which none is a face, have exactly the least distance, and their closest points are
     // in their interiors.
     bool holds(const Parts& parts) {
+        if (way_) return are_on_way(hulls_, parts, *way_, planar_.dropped_axis());
+        if (!least_) least_ = square_of(hulls_, *of_);
         const HullFeatures found = features_of(hulls_, parts);
         return with_exact_features(hulls_, found.vertices(),
                                    [&](const auto& points, const auto& features, const auto&) {
@@ -202,8 +207,15 @@ class Naming {
                                        exact::SquaredDistance square;
                                        square.exponent = points.unit;
                                        features.measure(found.features, square);
-                                       return compare(square, least_) == 0;
+                                       return compare(square, *least_) == 0;
                                    });
+    }
+
+    // Sets the vector between all pairs of points at the least distance to that of two vertices, while all are listed.
+    void find_way(std::size_t i, std::size_t j) {
+        if (pairs_ == nullptr || way_ || !hulls_.has_fixed_points()) return;
+        way_ = exact::difference(hulls_.fixed({1, planar_.vertex(1, j).index}),
+                                 hulls_.fixed({0, planar_.vertex(0, i).index}));
     }
 
     // Returns true if the vertex projects to a point inside the face: seen along the normal, it is left of all the
@@ -238,12 +250,14 @@ class Naming {
 
     PosedHulls& hulls_;
     Parts parts_;
-    exact::SquaredDistance least_;
+    const LeastDifference* of_ = nullptr;
+    std::optional<exact::SquaredDistance> least_;
+    std::optional<exact::IntegerVector> way_;
     PlanarFeatures planar_;
     Parts best_;
     bool has_best_ = false;
-    std::vector<Parts>* pairs_ = nullptr;         // the list of all pairs; null if only the first one is wanted
-    std::array<std::vector<Place>, 2> places_{};  // by vertex of each polygon
+    LeastPairs* pairs_ = nullptr;                   // the list of all pairs; null if only the first one is wanted
+    std::array<ShortList<Place, 32>, 2> places_{};  // by vertex of each polygon
 };
 
 // Measures the named features: set(result, square, origin, ends, features, f) must set the distance and both points.
@@ -333,10 +347,11 @@ exact::LongDirection exact_normal(PosedHulls& hulls, const LeastDifference& leas
     return is_opposite ? -found : found;
 }
 
-void list_least(PosedHulls& hulls, const LeastDifference& least, std::vector<HullFeaturePair>& pairs) {
-    if (least.are_only) return pairs.assign(1, least.parts);
-    const int turned = least.is_depth ? -1 : 1;
-    Naming(hulls, least.parts, square_of(hulls, least), least.normal, turned).list(pairs);
+void list_least(PosedHulls& hulls, const LeastDifference& least, double distance,
+                const std::optional<exact::IntegerVector>& way, LeastPairs& pairs) {
+    pairs.clear();
+    if (least.are_only) return pairs.push_back(least.parts);
+    Naming(hulls, least, distance, way).list(pairs);
 }
 
 }  // namespace ecods::convex

@@ -1,6 +1,7 @@
 #include "query/convex/planar_features.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ecods::convex {
@@ -23,59 +24,71 @@ PlanarFeatures::PlanarFeatures(const PosedHulls& hulls, const std::array<HullFea
             for (const Hull::Neighbor& corner : hull.cycle_of(part.index)) add(hulls, side, corner.vertex, corner.edge);
         }
     }
+    for (const std::size_t side : {0, 1}) of_[side].sides.assign(vertex_count(side), 0);
+    for (const std::size_t side : {0, 1}) set_signs(side);
 }
 
 void PlanarFeatures::add(const PosedHulls& hulls, std::size_t side, std::uint32_t vertex, std::uint32_t edge) {
     exact::Point p = hulls.rounded(side, vertex);
     if (side == 1) p = exact::minus(p, w_);
-    of_[side].push_back({p[axes_[0]], p[axes_[1]], vertex, edge});
+    Projected& of = of_[side];
+    of.x.push_back(p[axes_[0]]);
+    of.y.push_back(p[axes_[1]]);
+    of.at.push_back({vertex, edge});
 }
 
-bool PlanarFeatures::are_apart(const Corner& a, const Corner& b, const Corner& c, const Corner& d) const noexcept {
+// Sets the signs of the vertices of the other polygon. The first loop has nothing but doubles, so that compilers use
+// vectors.
+void PlanarFeatures::set_signs(std::size_t side) {
+    constexpr std::size_t at_once = 16;
+    const Projected& own = of_[side];
+    Projected& other = of_[1 - side];
+    const std::size_t count = vertex_count(1 - side);
+    of_[side].signs.assign(edge_count(side) * count, 0);
+    std::int8_t* sign = of_[side].signs.data();
+    for (std::size_t i = 0; i < edge_count(side); ++i, sign += count) {
+        const double ax = own.x[i], ay = own.y[i], bx = own.x[next(side, i)] - ax, by = own.y[next(side, i)] - ay;
+        const double B = std::max(std::abs(bx), std::abs(by));
+        for (std::size_t first = 0; first < count; first += at_once) {
+            const std::size_t some = std::min(count - first, at_once);
+            const double *const x = other.x.data() + first, *const y = other.y.data() + first;
+            std::array<double, at_once> left, right;
+            for (std::size_t j = 0; j < some; ++j) {
+                const double cx = x[j] - ax, cy = y[j] - ay, C = std::max(std::abs(cx), std::abs(cy));
+                const double turn = bx * cy - by * cx;
+                const double error = 8 * eta_ * (B + C) + 16 * (eta_ * eta_) + 0x1p-48 * (B * C) + 0x1p-900;
+                left[j] = turn > error ? 1 : 0;
+                right[j] = turn < -error ? 1 : 0;
+            }
+            for (std::size_t j = 0; j < some; ++j) {
+                const int is_left = static_cast<int>(left[j]), is_right = static_cast<int>(right[j]);
+                sign[first + j] = static_cast<std::int8_t>(is_left - is_right);
+                other.sides[first + j] |=
+                    static_cast<std::uint8_t>(is_left * on_left + is_right * on_right + (1 - is_left - is_right));
+            }
+        }
+    }
+}
+
+bool PlanarFeatures::are_apart(std::size_t side, std::size_t a, std::size_t b, std::size_t c,
+                               std::size_t d) const noexcept {
     const double gap = 4 * eta_;
-    return std::min(a.x, b.x) - std::max(c.x, d.x) > gap || std::min(c.x, d.x) - std::max(a.x, b.x) > gap ||
-           std::min(a.y, b.y) - std::max(c.y, d.y) > gap || std::min(c.y, d.y) - std::max(a.y, b.y) > gap;
+    const auto are = [&](const auto& p, const auto& q) {
+        return std::min(p[a], p[b]) - std::max(q[c], q[d]) > gap || std::min(q[c], q[d]) - std::max(p[a], p[b]) > gap;
+    };
+    return are(of_[side].x, of_[1 - side].x) || are(of_[side].y, of_[1 - side].y);
 }
 
 bool PlanarFeatures::may_meet(std::size_t i, std::size_t j) const noexcept {
-    return !are_apart(of_[0][i], of_[0][i], of_[1][j], of_[1][j]);
+    return !are_apart(0, i, i, j, j);
 }
 
 bool PlanarFeatures::may_be_on(std::size_t side, std::size_t i, std::size_t j) const noexcept {
-    const Corner& corner = of_[side][i];
-    return !are_apart(corner, corner, of_[1 - side][j], next(1 - side, j)) && sign(1 - side, j, corner) == 0;
+    return !are_apart(side, i, i, j, next(1 - side, j));
 }
 
-int PlanarFeatures::sign(std::size_t side, std::size_t i, const Corner& c) const noexcept {
-    const Corner &a = of_[side][i], &b = next(side, i);
-    const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-    const double B = std::max(std::abs(bx), std::abs(by)), C = std::max(std::abs(cx), std::abs(cy));
-    const double turn = bx * cy - by * cx;
-    const double error = 8 * eta_ * (B + C) + 16 * (eta_ * eta_) + 0x1p-48 * (B * C) + 0x1p-900;
-    return turn > error ? 1 : turn < -error ? -1 : 0;
-}
-
-// Uses that a point outside a convex polygon is on the inner side of some edge and on the outer side of another.
-auto PlanarFeatures::is_inside(std::size_t side, std::size_t i) const noexcept -> Answer {
-    std::array<bool, 3> has{};
-    for (std::size_t j = 0; j < edge_count(1 - side); ++j) {
-        has[static_cast<std::size_t>(1 + sign(1 - side, j, of_[side][i]))] = true;
-        if (has[0] && has[2]) return Answer::no;
-    }
-    return has[1] ? Answer::open : Answer::yes;
-}
-
-// Uses that two segments cross if each has its ends on both sides of the other one's line.
-auto PlanarFeatures::do_cross(std::size_t i, std::size_t j) const noexcept -> Answer {
-    if (are_apart(of_[0][i], next(0, i), of_[1][j], next(1, j))) return Answer::no;
-    Answer answer = Answer::yes;
-    for (const std::size_t side : {0, 1}) {
-        const std::size_t own = side == 0 ? i : j, other = side == 0 ? j : i;
-        const int from = sign(side, own, of_[1 - side][other]), to = sign(side, own, next(1 - side, other));
-        if (from * to > 0) return Answer::no;
-        if (from * to == 0) answer = Answer::open;
-    }
-    return answer;
+bool PlanarFeatures::may_cross(std::size_t i, std::size_t j) const noexcept {
+    return !are_apart(0, i, next(0, i), j, next(1, j));
 }
 
 }  // namespace ecods::convex

@@ -18,8 +18,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "base/short_list.hpp"
 #include "query/convex/hull_features.hpp"
 #include "query/convex/posed_hulls.hpp"
 
@@ -32,45 +32,93 @@ class PlanarFeatures {
     // w is unknown, and all answers are open.
     PlanarFeatures(const PosedHulls& hulls, const std::array<HullFeature, 2>& parts, const Vec3& normal, double along);
 
-    std::size_t vertex_count(std::size_t side) const noexcept { return of_[side].size(); }
+    std::size_t vertex_count(std::size_t side) const noexcept { return of_[side].at.size(); }
     std::size_t edge_count(std::size_t side) const noexcept {
-        return of_[side].size() < 3 ? of_[side].size() - 1 : of_[side].size();
+        return vertex_count(side) < 3 ? vertex_count(side) - 1 : vertex_count(side);
     }
     HullFeature vertex(std::size_t side, std::size_t i) const noexcept {
-        return {Feature::Kind::vertex, of_[side][i].vertex};
+        return {Feature::Kind::vertex, of_[side].at[i].vertex};
     }
     // Returns the edge from vertex i to the next one.
     HullFeature edge(std::size_t side, std::size_t i) const noexcept {
-        return {Feature::Kind::edge, of_[side][i].edge};
+        return {Feature::Kind::edge, of_[side].at[i].edge};
+    }
+    std::size_t next(std::size_t side, std::size_t i) const noexcept { return i + 1 == vertex_count(side) ? 0 : i + 1; }
+
+    // Calls visit(i, j) for all vertices i of the first polygon and j of the second, except such that are certainly
+    // apart.
+    template <class Visit>
+    void visit_meeting(Visit&& visit) const {
+        for (std::size_t i = 0; i < vertex_count(0); ++i) {
+            if (!may_be_on_border(0, i)) continue;
+            for (std::size_t j = 0; j < vertex_count(1); ++j) {
+                if (may_be_on_border(1, j) && may_meet(i, j)) visit(i, j);
+            }
+        }
+    }
+    // Calls visit(i, j) for all vertices i of polygon `side` and edges j of the other polygon, except such where the
+    // vertex is certainly not on the edge. Goes on with the next vertex if visit() returns true.
+    template <class Visit>
+    void visit_on_edges(std::size_t side, Visit&& visit) const {
+        for (std::size_t i = 0; i < vertex_count(side); ++i) {
+            if (!may_be_on_border(side, i)) continue;
+            for (std::size_t j = 0; j < edge_count(1 - side); ++j) {
+                if (sign(1 - side, j, i) == 0 && may_be_on(side, i, j) && visit(i, j)) break;
+            }
+        }
     }
 
-    // Returns false if vertex i of the first polygon is certainly not at vertex j of the second.
-    bool may_meet(std::size_t i, std::size_t j) const noexcept;
-    // Returns false if vertex i of polygon `side` is certainly not on edge j of the other polygon.
-    bool may_be_on(std::size_t side, std::size_t i, std::size_t j) const noexcept;
+    // Returns the coordinate that is left out.
+    std::size_t dropped_axis() const noexcept { return 3 - axes_[0] - axes_[1]; }
 
     enum class Answer : std::uint8_t { no, yes, open };
-    // Says whether vertex i of polygon `side` is inside the other polygon, which must be a face.
-    Answer is_inside(std::size_t side, std::size_t i) const noexcept;
-    // Says whether edge i of the first polygon and edge j of the second cross in their interiors.
-    Answer do_cross(std::size_t i, std::size_t j) const noexcept;
+    // Says whether vertex i of polygon `side` is inside the other polygon, which must be a face. Uses that a point
+    // outside a convex polygon is on the inner side of some edge and on the outer side of another.
+    Answer is_inside(std::size_t side, std::size_t i) const noexcept {
+        const std::uint8_t sides = of_[side].sides[i];
+        return (sides & on_both) == on_both ? Answer::no : (sides & on_line) != 0 ? Answer::open : Answer::yes;
+    }
+    // Says whether edge i of the first polygon and edge j of the second cross in their interiors. Uses that two
+    // segments cross if each has its ends on both sides of the other one's line.
+    Answer do_cross(std::size_t i, std::size_t j) const noexcept {
+        const int a = sign(0, i, j) * sign(0, i, next(1, j)), b = sign(1, j, i) * sign(1, j, next(0, i));
+        if (a > 0 || b > 0) return Answer::no;
+        return a < 0 && b < 0 ? Answer::yes : may_cross(i, j) ? Answer::open : Answer::no;
+    }
 
   private:
-    struct Corner {
-        double x, y;
-        std::uint32_t vertex, edge;
-    };
-    void add(const PosedHulls& hulls, std::size_t side, std::uint32_t vertex, std::uint32_t edge);
-    const Corner& next(std::size_t side, std::size_t i) const noexcept {
-        return of_[side][i + 1 == of_[side].size() ? 0 : i + 1];
-    }
-    // Returns true if the boxes around two segments are certainly apart.
-    bool are_apart(const Corner& a, const Corner& b, const Corner& c, const Corner& d) const noexcept;
-    // Returns the side of edge i on which a corner is, as a sign; 0 if it is not certain.
-    int sign(std::size_t side, std::size_t i, const Corner& c) const noexcept;
+    static constexpr std::size_t short_size = 32;
+    // The sides of the other polygon's edges on which a vertex is, as bits: the line of an edge counts if the side is
+    // not certain.
+    static constexpr std::uint8_t on_line = 1, on_left = 2, on_right = 4, on_both = on_left | on_right;
 
-    std::array<std::vector<Corner>, 2> of_;  // counterclockwise or clockwise
-    std::array<std::size_t, 2> axes_{};      // the two coordinates that are kept
+    // The vertices of a polygon, counterclockwise or clockwise, with the edges that begin at them.
+    struct Projected {
+        ShortList<Hull::Neighbor, short_size> at;
+        ShortList<double, short_size> x, y;
+        ShortList<std::uint8_t, short_size> sides;
+        // The side of edge i on which vertex j of the other polygon is, as a sign; 0 if it is not certain. At [i m +
+        // j], for m vertices of the other polygon.
+        ShortList<std::int8_t, 8 * short_size> signs;
+    };
+
+    void add(const PosedHulls& hulls, std::size_t side, std::uint32_t vertex, std::uint32_t edge);
+    void set_signs(std::size_t side);
+    int sign(std::size_t side, std::size_t i, std::size_t j) const noexcept {
+        return of_[side].signs[i * vertex_count(1 - side) + j];
+    }
+    // Returns false if a vertex is certainly not on an edge of the other polygon.
+    bool may_be_on_border(std::size_t side, std::size_t i) const noexcept {
+        return edge_count(1 - side) == 0 || (of_[side].sides[i] & on_line) != 0;
+    }
+    bool may_meet(std::size_t i, std::size_t j) const noexcept;
+    bool may_be_on(std::size_t side, std::size_t i, std::size_t j) const noexcept;
+    bool may_cross(std::size_t i, std::size_t j) const noexcept;
+    // Returns true if the boxes around two segments are certainly apart, each between two vertices of its polygon.
+    bool are_apart(std::size_t side, std::size_t a, std::size_t b, std::size_t c, std::size_t d) const noexcept;
+
+    std::array<Projected, 2> of_;
+    std::array<std::size_t, 2> axes_{};  // the two coordinates that are kept
     exact::Point w_{};
     double eta_ = 0;
 };

@@ -121,6 +121,8 @@ class PosedHulls {
         return memory_.points.at(v.side, mesh_vertex(v));
     }
     int fixed_unit() const noexcept { return memory_.points.unit(); }
+    // Returns an exponent such that fixed() points are below 2^fixed_high(). Call it after has_fixed_points().
+    int fixed_high() const noexcept { return memory_.points.digits().high + 3; }
 
     // Integers holds points of up to three vertices of each solid as integers, in units of 2^unit. They are short
     // integers if their digits fit. Unless are_exact, the difference of two coordinates is off by less than 5 units.

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <typeinfo>
 #include <utility>
 
 #include "base/double_key.hpp"
@@ -30,11 +32,25 @@ void require_valid(const PatchLimits& limits) {
     }
 }
 
-// Returns a convex solid itself, and the core of a Rounded if the core is convex; otherwise null.
+// Returns the shape as an S, which is a final class; null if it is none. Faster than dynamic_cast.
+template <class S>
+const S* as(const Shape& shape) noexcept {
+    static_assert(std::is_final_v<S>);
+    return typeid(shape) == typeid(S) ? static_cast<const S*>(&shape) : nullptr;
+}
+const HalfSpace* as_half_space(const Shape& shape) noexcept {
+    return shape.kind() == ShapeKind::half_space() ? as<HalfSpace>(shape) : nullptr;
+}
+const Rounded* as_rounded(const Shape& shape) noexcept {
+    const ShapeKind kind = shape.kind();
+    return kind == ShapeKind::rounded() || kind == ShapeKind::rounded_convex() ? as<Rounded>(shape) : nullptr;
+}
+
+// Returns the shape, if it is a convex solid, or its core, if this is convex; otherwise null.
 const MeshShape* find_core(const Shape& shape) noexcept {
-    const auto* const rounded = dynamic_cast<const Rounded*>(&shape);
-    if (rounded != nullptr) return convex::is_convex_core(rounded->core()) ? &rounded->core() : nullptr;
-    return dynamic_cast<const ConvexSolid*>(&shape);
+    if (const Rounded* const rounded = as_rounded(shape))
+        return convex::is_convex_core(rounded->core()) ? &rounded->core() : nullptr;
+    return as<ConvexSolid>(shape);
 }
 
 Posed<ConvexSolid> core_of(const Posed<Shape>& posed, int argument) {
@@ -47,15 +63,15 @@ Posed<ConvexSolid> core_of(const Posed<Shape>& posed, int argument) {
 }
 
 double radius_of(const Shape& shape) noexcept {
-    const auto* const rounded = dynamic_cast<const Rounded*>(&shape);
+    const Rounded* const rounded = as_rounded(shape);
     return rounded != nullptr ? rounded->radius() : 0;
 }
 
 // Returns the patch of two spheres or capsules if it has one corner and fixed precision decides it; otherwise nullopt.
 // Patches of parallel segments, and of features within a tilt, are left to patch_of_hulls().
 std::optional<ContactPatch> find_fixed(const Posed<Shape>& a, const Posed<Shape>& b, const PatchLimits& limits) {
-    const auto* const x = dynamic_cast<const Rounded*>(a.what);
-    const auto* const y = dynamic_cast<const Rounded*>(b.what);
+    const Rounded* const x = as_rounded(*a.what);
+    const Rounded* const y = as_rounded(*b.what);
     if (x == nullptr || y == nullptr || key_of(limits.min_cos_squared) != key_of(1.0)) return std::nullopt;
     const auto segments = RoundedSegments::find(Posed<Rounded>(*x, a.pose), Posed<Rounded>(*y, b.pose));
     if (!segments || !segments->is_only()) return std::nullopt;
@@ -85,15 +101,14 @@ patches::ConvexBody::ConvexBody(const Posed<Shape>& posed, int argument)
     : core(core_of(posed, argument)), radius(radius_of(*posed.what)) {}
 
 bool patches::have_patch(const Shape& a, const Shape& b) noexcept {
-    const auto is_plane = [](const Shape& shape) { return dynamic_cast<const HalfSpace*>(&shape) != nullptr; };
+    const auto is_plane = [](const Shape& shape) { return as_half_space(shape) != nullptr; };
     const auto is_convex = [](const Shape& shape) { return find_core(shape) != nullptr; };
     return is_plane(a) ? is_convex(b) : is_convex(a) && (is_plane(b) || is_convex(b));
 }
 
 ContactPatch contact_patch(const Posed<Shape>& a, const Posed<Shape>& b, const PatchLimits& limits, const Ask& ask) {
     require_valid(limits);
-    const auto *const plane_a = dynamic_cast<const HalfSpace*>(a.what), *const plane_b =
-                                                                            dynamic_cast<const HalfSpace*>(b.what);
+    const HalfSpace *const plane_a = as_half_space(*a.what), *const plane_b = as_half_space(*b.what);
     if (plane_a != nullptr && plane_b != nullptr) throw NotSupported("two half spaces have no contact patch");
     Asking asking(ask);
     QueryMemory& memory = asking.memory();

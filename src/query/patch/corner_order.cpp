@@ -10,7 +10,9 @@
 namespace ecods::patches {
 namespace {
 
-// Names the places on a closed edge, in its direction.
+using convex::LeastPairs;
+
+// The places of a closed edge, in its direction.
 enum class Place : std::uint8_t { beginning, inside, end };
 
 // Holds the corners of the patch that are on one closed edge of a polygon.
@@ -31,20 +33,24 @@ struct Side {
     }
 };
 
+constexpr std::size_t short_size = 24;
+using Order = ShortList<std::size_t, short_size>;
+
 class Ring {
   public:
-    Ring(const Polygons& polygons, const std::vector<HullFeaturePair>& corners)
-        : polygons_(polygons), corners_(corners), neighbors_(corners.size()) {
+    Ring(const Polygons& polygons, const LeastPairs& corners) : polygons_(polygons), corners_(corners) {
+        neighbors_.assign(corners.size(), {});
         for (const std::size_t of : {0, 1}) {
-            sides_[of].resize(polygons[of].edge_count());
+            sides_[of].assign(polygons[of].edge_count(), {});
             for (std::size_t i = 0; i < corners.size(); ++i) add(of, i);
             for (const Side& side : sides_[of]) link(side);
         }
     }
 
-    // Returns the indices of the corners in their order around the normal, beginning with `first`.
-    std::vector<std::size_t> from(std::size_t first, const std::function<int(const HullFeaturePair&)>& turn) const {
-        std::vector<std::size_t> order{first};
+    // Returns the corners' numbers in the order around the normal.
+    Order from(std::size_t first, const Turn& turn) const {
+        Order order;
+        order.push_back(first);
         std::size_t last = first, at = neighbors_[first].at[0];
         while (at != first && order.size() < corners_.size()) {
             order.push_back(at);
@@ -53,7 +59,7 @@ class Ring {
         ECODS_ASSERT(order.size() == corners_.size());
         const auto [tail, head] = known_ ? *known_ : direction_at(first, turn);
         const auto place = std::ranges::find(order, tail);
-        const std::size_t after = place + 1 == order.end() ? order.front() : place[1];
+        const std::size_t after = place + 1 == order.end() ? order[0] : place[1];
         if (after != head) std::reverse(order.begin() + 1, order.end());
         return order;
     }
@@ -78,7 +84,7 @@ class Ring {
         const Polygon& polygon = polygons_[of];
         const HullFeature& part = corners_[corner][of];
         if (part.kind == Feature::Kind::face) return;
-        const std::size_t i = polygon.index_of(part);
+        const std::size_t i = last_[of] = polygon.index_of(part, last_[of]);
         if (part.kind == Feature::Kind::edge) return sides_[of][i].add(corner, Place::inside);
         sides_[of][i].add(corner, Place::beginning);
         sides_[of][polygon.previous(i)].add(corner, Place::end);
@@ -93,31 +99,31 @@ class Ring {
         known_ = x.place < y.place ? Step(x.corner, y.corner) : Step(y.corner, x.corner);
     }
 
-    // Returns the step from a corner where two edges cross: it goes along the edge that turns left.
-    Step direction_at(std::size_t corner, const std::function<int(const HullFeaturePair&)>& turn) const {
-        const std::size_t of = turn(corners_[corner]) > 0 ? 1 : 0;
+    // Returns the step from a crossing of two edges, where the way leaves along the edge that turns left.
+    Step direction_at(std::size_t corner, const Turn& turn) const {
+        const std::size_t of = turn.of(corners_[corner]) > 0 ? 1 : 0;
         const Side& side = sides_[of][polygons_[of].index_of(corners_[corner][of])];
         return {corner, side.other(corner)};
     }
 
     const Polygons& polygons_;
-    const std::vector<HullFeaturePair>& corners_;
-    std::array<std::vector<Side>, 2> sides_;  // by edge of each polygon
-    std::vector<Neighbors> neighbors_;        // by corner
+    const LeastPairs& corners_;
+    std::array<ShortList<Side, short_size>, 2> sides_;  // by edge of each polygon
+    ShortList<Neighbors, short_size> neighbors_;        // by corner
+    std::array<std::size_t, 2> last_{};                 // the polygons' vertices at the last corner
     std::optional<Step> known_;
 };
 
 }  // namespace
 
-void order_around(const Polygons& polygons, std::size_t first, std::vector<HullFeaturePair>& corners,
-                  const std::function<int(const HullFeaturePair&)>& turn) {
+void order_around(const Polygons& polygons, std::size_t first, LeastPairs& corners, const Turn& turn) {
     if (corners.size() < 3) {
         std::swap(corners[0], corners[first]);
         return;
     }
-    std::vector<HullFeaturePair> ordered;
-    for (const std::size_t i : Ring(polygons, corners).from(first, turn)) ordered.push_back(corners[i]);
-    corners.swap(ordered);
+    const LeastPairs listed = corners;
+    corners.clear();
+    for (const std::size_t i : Ring(polygons, listed).from(first, turn)) corners.push_back(listed[i]);
 }
 
 }  // namespace ecods::patches

@@ -13,8 +13,7 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <vector>
+#include <cstddef>
 
 #include "query/convex/closest_hulls.hpp"
 #include "query/patch/polygon.hpp"
@@ -24,10 +23,18 @@ namespace ecods::patches {
 using convex::HullFeaturePair;
 using Polygons = std::array<Polygon, 2>;
 
-// Puts the corners in counterclockwise order around the normal; they must be all corners of the patch. The corner at
-// index `first` becomes the first one. turn(pair) must return, for two edges that cross, the sign of the turn from the
-// first polygon's edge to the second's, each in the direction of its polygon.
-void order_around(const Polygons& polygons, std::size_t first, std::vector<HullFeaturePair>& corners,
-                  const std::function<int(const HullFeaturePair&)>& turn);
+// A Turn answers for two edges that cross: the sign of the turn from the first polygon's edge to the second's, each in
+// the direction of its polygon.
+class Turn {
+  public:
+    virtual int of(const HullFeaturePair& edges) const = 0;
+
+  protected:
+    ~Turn() = default;
+};
+
+// Puts the corners, which are all of the intersection, in counterclockwise order around the normal. The one at `first`
+// becomes the first.
+void order_around(const Polygons& polygons, std::size_t first, convex::LeastPairs& corners, const Turn& turn);
 
 }  // namespace ecods::patches

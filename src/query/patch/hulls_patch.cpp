@@ -12,6 +12,7 @@
 #include "query/convex/exact_hulls.hpp"
 #include "query/depth/depth_memory.hpp"
 #include "query/patch/facing.hpp"
+#include "query/patch/fixed_corners.hpp"
 #include "query/patch/patch_rounding.hpp"
 
 namespace ecods::patches {
@@ -19,26 +20,18 @@ namespace {
 
 using Kind = Feature::Kind;
 
-class HullsPatch {
+class HullsPatch final : public Turn {
   public:
     HullsPatch(convex::PosedHulls& hulls, const exact::Radii& radii, const PatchLimits& limits)
-        : hulls_(hulls), reach_(radii), limits_(limits) {}
+        : hulls_(hulls), radii_(radii), reach_(radii), limits_(limits) {}
 
     ContactPatch find(QueryMemory& memory, PairWitness& witness) {
-        if (const auto closest = convex::find_closest(hulls_, &witness)) {
-            least_ = least_of_closest(hulls_, *closest);
-            if (!has_radius()) patch_.distance = round_distance(hulls_, closest->found);
-        } else {
-            const std::optional<depths::ExactDepth> found = depths::find_depth(hulls_, depths::DepthMemory::of(memory));
-            ECODS_ASSERT(found);
-            least_ = depths::least_of(hulls_, *found);
-            patch_.distance = opposite(found->depth);
-            witness = {name(0, least_.parts[0]).triangle, name(1, least_.parts[1]).triangle};
-        }
+        find_least(depths::DepthMemory::of(memory), witness);
         patch_.normal = least_.normal;
+        fixed_ = FixedCorners::of(hulls_, least_, radii_);
         if (has_radius()) patch_.distance = distance_of_rounded();
         const bool is_flat = hulls_.hull(0).is_flat() || hulls_.hull(1).is_flat();
-        if (has_radius() || is_flat || limits_.min_cos_squared < 1) normal_ = scaled_normal(hulls_, least_);
+        if (is_flat || limits_.min_cos_squared < 1) set_normal();
         const HullFeaturePair facing{facing_part(0), facing_part(1)};
         if (facing == least_.parts) {
             use_least();
@@ -49,10 +42,43 @@ class HullsPatch {
     }
 
   private:
+    // Finds the least difference, and its size. If the solids may touch, the depth is tried first, which decides that
+    // much faster than the distance.
+    void find_least(depths::DepthMemory& memory, PairWitness& witness) {
+        const convex::QuickClosest quick = convex::find_quickly(hulls_, &witness);
+        if (quick.may_touch(hulls_) && find_deepest(memory, witness)) return;
+        if (const auto closest = convex::find_closest(hulls_, quick, &witness)) {
+            least_ = least_of_closest(hulls_, *closest);
+            if (!has_radius() || !least_.are_only) core_distance_ = round_distance(hulls_, closest->found);
+            patch_.distance = core_distance_;
+            return;
+        }
+        const bool is_found = find_deepest(memory, witness);
+        ECODS_ASSERT(is_found);
+        (void)is_found;
+    }
+
+    bool find_deepest(depths::DepthMemory& memory, PairWitness& witness) {
+        const std::optional<depths::ExactDepth> found = depths::find_depth(hulls_, memory);
+        if (!found) return false;
+        least_ = depths::least_of(hulls_, *found);
+        core_distance_ = found->depth;
+        patch_.distance = opposite(found->depth);
+        witness = {name(0, least_.parts[0]).triangle, name(1, least_.parts[1]).triangle};
+        return true;
+    }
+
     bool has_radius() const noexcept { return reach_.sum.sign() != 0; }
     Feature name(std::size_t side, const HullFeature& part) const noexcept { return name_of(hulls_.hull(side), part); }
 
+    void set_normal() {
+        if (has_normal_) return;
+        normal_ = scaled_normal(hulls_, least_);
+        has_normal_ = true;
+    }
+
     double distance_of_rounded() {
+        if (const auto distance = fixed_ ? fixed_->distance() : std::nullopt) return *distance;
         const exact::SquaredDistance square = square_of(hulls_, least_);
         return least_.is_depth ? opposite(exact::round_signed_beyond(square, -reach_.sum))
                                : exact::round_signed_beyond(square, reach_.sum);
@@ -79,23 +105,27 @@ class HullsPatch {
     // Makes the patch of the support features; all its gaps are equal.
     void use_least() {
         if (is_gap_too_large()) return;
-        convex::list_least(hulls_, least_, pairs_);
+        convex::list_least(hulls_, least_, core_distance_, fixed_ ? fixed_->way() : std::nullopt, pairs_);
         std::size_t first = 0;
         for (std::size_t i = 1; i < pairs_.size(); ++i) {
             if (is_before(pairs_[i], pairs_[first])) first = i;
         }
         const Polygons polygons = polygons_of(least_.parts);
-        order_around(polygons, first, pairs_, [&](const HullFeaturePair& edges) { return turn(polygons, edges); });
+        polygons_ = &polygons;
+        order_around(polygons, first, pairs_, *this);
+        patch_.corners.reserve(pairs_.size());
         for (const HullFeaturePair& pair : pairs_) {
             PatchCorner& corner = add(pair);
             corner.gap = patch_.distance;
+            if (fixed_ && fixed_->round(pair, corner)) continue;
+            if (has_radius()) set_normal();
             round_least(hulls_, pair, reach_, normal_, corner);
         }
         if (limits_.max_corners == 0 || pairs_.size() <= limits_.max_corners) {
             patch_.corner_count = static_cast<std::uint32_t>(pairs_.size());
             return;
         }
-        normal_ = scaled_normal(hulls_, least_);
+        set_normal();
         const SeenAlong seen(hulls_, polygons, normal_);
         keep_corners(patch_, limits_.max_corners, normal_.n,
                      [&](std::size_t i) { return seen.corner(pairs_[i]).at[0]; });
@@ -113,10 +143,10 @@ class HullsPatch {
 
     // Returns the sign of the turn between two edges that cross, each in the direction of its polygon. Their cross
     // product is along the normal, or against it.
-    int turn(const Polygons& polygons, const HullFeaturePair& edges) {
+    int of(const HullFeaturePair& edges) const override {
         std::array<convex::HullVertex, 6> vertices;
         for (const std::size_t side : {0, 1}) {
-            const Polygon& polygon = polygons[side];
+            const Polygon& polygon = (*polygons_)[side];
             const std::size_t i = polygon.index_of(edges[side]);
             vertices[3 * side] = {side, polygon.corners[i].vertex};
             vertices[3 * side + 1] = vertices[3 * side + 2] = {side, polygon.corners[polygon.next(i)].vertex};
@@ -145,7 +175,7 @@ class HullsPatch {
             first = i;
             least = std::move(other);
         }
-        order_around(polygons, first, pairs_, [&](const HullFeaturePair& edges) { return seen.turn(edges); });
+        order_around(polygons, first, pairs_, seen);
         std::vector<LongPoint> points;
         const bool is_limited = key_of(limits_.max_gap) != infinity_key;
         for (const HullFeaturePair& pair : pairs_) {
@@ -165,11 +195,16 @@ class HullsPatch {
     }
 
     convex::PosedHulls& hulls_;
+    const exact::Radii radii_;
     const Reach reach_;
     const PatchLimits& limits_;
     convex::LeastDifference least_;
-    ExactNormal normal_;  // set if there are radii, a solid is flat, or a tilt is allowed
-    std::vector<HullFeaturePair> pairs_;
+    double core_distance_ = 0;  // or the depth of the cores
+    std::optional<FixedCorners> fixed_;
+    ExactNormal normal_;  // set by set_normal()
+    bool has_normal_ = false;
+    convex::LeastPairs pairs_;
+    const Polygons* polygons_ = nullptr;  // those of `least_`
     ContactPatch patch_;
 };
 

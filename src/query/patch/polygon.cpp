@@ -1,7 +1,5 @@
 #include "query/patch/polygon.hpp"
 
-#include <algorithm>
-
 #include "base/assert.hpp"
 
 namespace ecods::patches {
@@ -17,7 +15,7 @@ Polygon::Polygon(const convex::Hull& hull, const HullFeature& of, bool is_turned
     }
     const auto cycle = hull.cycle_of(of.index);
     if (!is_turned) {
-        corners.assign(cycle.begin(), cycle.end());
+        for (const convex::Hull::Neighbor& corner : cycle) corners.push_back(corner);
         return;
     }
     // Reverses the cycle. The edge from a vertex to its next one is then the edge that leads to the vertex in the
@@ -27,13 +25,14 @@ Polygon::Polygon(const convex::Hull& hull, const HullFeature& of, bool is_turned
     }
 }
 
-std::size_t Polygon::index_of(const HullFeature& part) const noexcept {
+std::size_t Polygon::index_of(const HullFeature& part, std::size_t start) const noexcept {
     const bool is_vertex = part.kind == Feature::Kind::vertex;
-    const auto found = std::ranges::find_if(corners, [&](const convex::Hull::Neighbor& corner) {
-        return (is_vertex ? corner.vertex : corner.edge) == part.index;
-    });
-    ECODS_ASSERT(found != corners.end());
-    return static_cast<std::size_t>(found - corners.begin());
+    std::size_t i = start;
+    for (std::size_t left = corners.size(); left > 1; --left, i = next(i)) {
+        if ((is_vertex ? corners[i].vertex : corners[i].edge) == part.index) break;
+    }
+    ECODS_ASSERT((is_vertex ? corners[i].vertex : corners[i].edge) == part.index);
+    return i;
 }
 
 }  // namespace ecods::patches

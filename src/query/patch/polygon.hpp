@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <vector>
 
+#include "base/short_list.hpp"
 #include "query/convex/hull_features.hpp"
 
 namespace ecods::patches {
@@ -23,13 +22,12 @@ struct Polygon {
 
     HullFeature vertex(std::size_t i) const noexcept { return {Feature::Kind::vertex, corners[i].vertex}; }
     HullFeature edge(std::size_t i) const noexcept { return {Feature::Kind::edge, corners[i].edge}; }
-    // Returns the index of the polygon's vertex or edge that is this feature.
-    std::size_t index_of(const HullFeature& part) const noexcept;
+    // Returns the number of the polygon's vertex or edge that is this feature. Searches from vertex `start` on.
+    std::size_t index_of(const HullFeature& part, std::size_t start = 0) const noexcept;
 
     HullFeature feature;
-    // Holds the vertices, each with the edge to the next one. The vertices of a face are counterclockwise around the
-    // normal.
-    std::vector<convex::Hull::Neighbor> corners;
+    // The vertices, of a face counterclockwise around the normal, each with the edge to the next one.
+    ShortList<convex::Hull::Neighbor, 32> corners;
 };
 
 }  // namespace ecods::patches

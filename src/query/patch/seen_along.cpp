@@ -54,7 +54,7 @@ SeenAlong::SeenAlong(const convex::PosedHulls& hulls, const Polygons& polygons, 
     }
 }
 
-void SeenAlong::list(std::vector<HullFeaturePair>& pairs) {
+void SeenAlong::list(convex::LeastPairs& pairs) {
     pairs.clear();
     for (const std::size_t side : {0, 1}) {
         for (std::size_t i = 0; i < edges_[side].size(); ++i) {
@@ -114,7 +114,7 @@ bool SeenAlong::do_cross(std::size_t i, std::size_t j) const noexcept {
     return sign(0, i, j) * sign(0, i, polygons_[1].next(j)) < 0 && sign(1, j, i) * sign(1, j, polygons_[0].next(i)) < 0;
 }
 
-int SeenAlong::turn(const HullFeaturePair& edges) const {
+int SeenAlong::of(const HullFeaturePair& edges) const {
     const Edge &u = edges_[0][polygons_[0].index_of(edges[0])], &v = edges_[1][polygons_[1].index_of(edges[1])];
     return dot(u.left, v.way).sign();
 }

@@ -38,17 +38,15 @@ struct LongCorner {
     ScaledInteger num, den;
 };
 
-class SeenAlong {
+class SeenAlong final : public Turn {
   public:
     // No two vertices of one polygon may be over each other. The polygons and the normal must outlive this object.
     SeenAlong(const convex::PosedHulls& hulls, const Polygons& polygons, const ExactNormal& normal);
 
-    // Sets `pairs` to all pairs of features whose relative interiors, as seen along the normal, share exactly one
-    // point.
-    void list(std::vector<HullFeaturePair>& pairs);
-    // Returns the sign of the turn between two edges, as order_around() takes it.
-    int turn(const HullFeaturePair& edges) const;
-    // Returns the corner that such a pair makes.
+    // Sets `pairs` to all pairs of features that are over each other in exactly one point, in the interior of both.
+    void list(convex::LeastPairs& pairs);
+    int of(const HullFeaturePair& edges) const override;
+    // Returns the points of the features of such a pair that are over each other.
     LongCorner corner(const HullFeaturePair& pair) const;
 
   private:

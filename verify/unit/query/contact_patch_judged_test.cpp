@@ -19,6 +19,7 @@
 #include "scenes/lattice_hull.hpp"
 #include "scenes/pose_at.hpp"
 #include "scenes/random.hpp"
+#include "unit/query/solid_soup.hpp"
 
 namespace ecods {
 namespace {
@@ -177,6 +178,32 @@ TEST(ContactPatchJudged, WithLimitsAndRadii) {
         if (HasFatalFailure()) return;
     }
     for (std::size_t count = 0; count <= 5; ++count) EXPECT_GE(counts[count], 3) << count;
+}
+
+// All boxes at the places of a lattice, to both sides: vertices on vertices, on edges and in faces, edges along and
+// across edges; and places next to these, where doubles are as near to that as they can be.
+TEST(ContactPatchJudged, OfAllBoxesOnALattice) {
+    const auto solid = [](const Vec3& half) { return std::make_shared<const ConvexSolid>(box(-half, half)); };
+    const auto table = solid({2, 2, 1}), brick = solid({1, 2, 1});
+    Random random(45);
+    for (int x = 0; x <= 3; ++x) {
+        for (int y = 0; y <= 4; ++y) {
+            for (int z = 0; z <= 3; ++z) {
+                SCOPED_TRACE(16 * x + 4 * y + z);
+                Pair pair{{table, brick}, {}};
+                pair.poses[1].t = Vec3(x, y, z);
+                expect_right(pair);
+                expect_right(pair.turned());
+                pair.poses[1].t[static_cast<int>(random.below(3))] += random.below(2) == 0 ? 0x1p-52 : -0x1p-52;
+                expect_right(pair);
+                pair.poses[0].t =
+                    Vec3(0.1, -0.7, 1e3);  // sums of translations and points are often between two doubles
+                pair.poses[1].t = Vec3(0.1 + x, -0.7 + y, 1e3 + z);
+                expect_right(pair, {}, {0, random.below(2) == 0 ? 0 : 0.3});
+                if (HasFatalFailure()) return;
+            }
+        }
+    }
 }
 
 // Far from one, where exact numbers are long, and subnormal.

@@ -42,6 +42,7 @@ std::optional<double> FixedNumber::rounded(int unit) const noexcept {
     const Uint128 size = size_of(value);
     if (size <= error) return std::nullopt;
     if (const auto bits = round_leading(size, error, unit)) return with_sign(*bits, value < 0);
+    if (error == 0) return round_integer(widened(value), unit);  // it may be the middle of two doubles
     const int up = 128 - bit_width(size);
     if (bit_width(error) + up > 96) return std::nullopt;
     const std::optional<double> of_size = FixedDigits{size << up, unit - up, error << up}.rounded();

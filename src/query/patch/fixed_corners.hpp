@@ -1,0 +1,62 @@
+// Rounds the corners of a least difference in fixed precision.
+//
+// All pairs of points at the least difference differ by one vector w (closest_hulls.hpp). So a corner with a vertex has
+// the vertex as one of its points, and w, added or subtracted, gives the other one. Where two edges cross, the point of
+// the first one follows from the second edge moved by -w, in a plane of two coordinates.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "ecods/contact.hpp"
+#include "exact/measure/round/fixed_shift.hpp"
+#include "exact/measure/round/rounded_ends.hpp"
+#include "query/convex/closest_hulls.hpp"
+
+namespace ecods::patches {
+
+class FixedCorners {
+  public:
+    // Returns nullopt if the points do not fit, or w is not known well enough. The arguments must outlive this object.
+    static std::optional<FixedCorners> of(convex::PosedHulls& hulls, const convex::LeastDifference& least,
+                                          const exact::Radii& radii);
+
+    // Sets both points and the middle of a corner that is made by features with the least difference; returns false if
+    // a rounding is not certain.
+    bool round(const convex::HullFeaturePair& pair, PatchCorner& corner) const;
+    // Returns w in units of fixed points (posed_hulls.hpp), if it is known exactly.
+    std::optional<exact::IntegerVector> way() const noexcept;
+    // Returns the least difference less the radii; minus a depth. Returns nullopt if its rounding is not certain.
+    std::optional<double> distance() const noexcept;
+
+  private:
+    // A posed vertex in the world, in units of 2^unit_, and the error bound of each coordinate.
+    struct WorldPoint {
+        exact::IntegerVector x;
+        std::uint64_t error;
+    };
+    // The coordinates of both points of a corner, and of their sum.
+    struct Coordinates {
+        std::array<exact::FixedNumber, 3> a, b, sum;
+    };
+
+    FixedCorners(convex::PosedHulls& hulls, const exact::Radii& radii) noexcept : hulls_(&hulls), radii_(radii) {}
+    bool bind();
+    bool find_shift(const convex::LeastDifference& least);
+    WorldPoint at(std::size_t side, std::uint32_t vertex) const;
+    std::array<WorldPoint, 2> ends_of(std::size_t side, std::uint32_t edge) const;
+    void set_vertex(const convex::HullFeaturePair& pair, Coordinates& at) const;
+    bool set_crossing(const convex::HullFeaturePair& edges, Coordinates& at) const;
+    void add_radii(Coordinates& at) const noexcept;
+
+    convex::PosedHulls* hulls_;
+    exact::Radii radii_;
+    int unit_ = 0, up_ = 0;  // points of the hulls are shifted by up_ digits to this unit
+    std::uint64_t error_ = 0;
+    WorldPoint origin_{};
+    std::optional<exact::FixedShift> shift_;  // w, and the normal
+    std::size_t most_ = 0;                    // the largest coordinate of the normal
+};
+
+}  // namespace ecods::patches
