@@ -19,7 +19,7 @@ class TurnAndStraightMotion : public TurnAndStraightPairs, public TurnPieces {
     // Binds the bodies. Everything that the arguments refer to must outlive this object.
     void bind(const Turning<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts);
 
-    // Binds the time between two times.
+    // Restricts the motion to the piece between two times.
     void set_piece(double from, double to);
 
   private:

@@ -28,7 +28,7 @@ class FixedClosest {
     // A foot on a face may be known to be inside the face, or must be shown to be inside the triangle of its corners.
     enum class Foot : std::uint8_t { in_triangle, in_face };
 
-    // The features that contain the closest points.
+    // Names the features that contain the closest points.
     struct Names {
         ClosestKind kind = ClosestKind::vertex_vertex;
         Feature a, b;
@@ -58,7 +58,7 @@ class FixedClosest {
     std::optional<DistanceBounds> distance_bounds() const noexcept;
     // Returns the unit vector from the first feature's closest point to the second's.
     std::optional<Vec3> direction() const noexcept;
-    // Returns the middle of the two points.
+    // Returns the middle of the two closest points.
     std::optional<Vec3> middle() const noexcept;
 
     // True if no other points of the features are as close.
@@ -73,7 +73,7 @@ class FixedClosest {
     }
 
   private:
-    // A number in units of 2^unit.
+    // A Gap is a number in units of 2^unit, with an error bound.
     struct Gap {
         exact::FixedNumber number;
         int unit;

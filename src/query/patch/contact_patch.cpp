@@ -46,7 +46,7 @@ const Rounded* as_rounded(const Shape& shape) noexcept {
     return kind == ShapeKind::rounded() || kind == ShapeKind::rounded_convex() ? as<Rounded>(shape) : nullptr;
 }
 
-// Returns the shape, if it is a convex solid, or its core, if this is convex; otherwise null.
+// Returns a convex solid itself, and the core of a Rounded if the core is convex; otherwise null.
 const MeshShape* find_core(const Shape& shape) noexcept {
     if (const Rounded* const rounded = as_rounded(shape))
         return convex::is_convex_core(rounded->core()) ? &rounded->core() : nullptr;

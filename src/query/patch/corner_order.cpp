@@ -12,7 +12,7 @@ namespace {
 
 using convex::LeastPairs;
 
-// The places of a closed edge, in its direction.
+// Names the places on a closed edge, in its direction.
 enum class Place : std::uint8_t { beginning, inside, end };
 
 // Holds the corners of the patch that are on one closed edge of a polygon.
@@ -47,7 +47,7 @@ class Ring {
         }
     }
 
-    // Returns the corners' numbers in the order around the normal.
+    // Returns the indices of the corners in their order around the normal, beginning with `first`.
     Order from(std::size_t first, const Turn& turn) const {
         Order order;
         order.push_back(first);
@@ -99,7 +99,7 @@ class Ring {
         known_ = x.place < y.place ? Step(x.corner, y.corner) : Step(y.corner, x.corner);
     }
 
-    // Returns the step from a crossing of two edges, where the way leaves along the edge that turns left.
+    // Returns the step from a corner where two edges cross: it goes along the edge that turns left.
     Step direction_at(std::size_t corner, const Turn& turn) const {
         const std::size_t of = turn.of(corners_[corner]) > 0 ? 1 : 0;
         const Side& side = sides_[of][polygons_[of].index_of(corners_[corner][of])];

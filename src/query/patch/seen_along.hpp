@@ -43,10 +43,11 @@ class SeenAlong final : public Turn {
     // No two vertices of one polygon may be over each other. The polygons and the normal must outlive this object.
     SeenAlong(const convex::PosedHulls& hulls, const Polygons& polygons, const ExactNormal& normal);
 
-    // Sets `pairs` to all pairs of features that are over each other in exactly one point, in the interior of both.
+    // Sets `pairs` to all pairs of features whose relative interiors, as seen along the normal, share exactly one
+    // point.
     void list(convex::LeastPairs& pairs);
     int of(const HullFeaturePair& edges) const override;
-    // Returns the points of the features of such a pair that are over each other.
+    // Returns the corner that such a pair makes.
     LongCorner corner(const HullFeaturePair& pair) const;
 
   private:

@@ -85,10 +85,10 @@ class TurnAndStraightCorners {
         is_bounded_ = start_.scale(turning_, straight_);
     }
 
-    // True if all numbers are small enough for the error bounds to hold.
+    // Returns true if all numbers are small enough for the error bounds to hold.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return is_bounded_; }
 
-    // The corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().
+    // Holds the corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().
     struct At {
         HalfAngle half;
         Points<6> points;
