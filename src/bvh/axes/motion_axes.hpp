@@ -53,8 +53,8 @@ struct MotionSet {
 };
 
 // Bounds how far points of two bodies are from straight motions. The distance is a sum of vectors: one of length at
-// most `everywhere`, one of length at most `most` perpendicular to each of two unit vectors, and `along` times a number
-// from -1 to 1.
+// most `everywhere`, one of length at most `most` perpendicular to each of two unit vectors, `along` times a number
+// from -1 to 1, and one of length at most `later` times the part of the motion that is over.
 struct MotionMargin {
     struct Across {
         double most = 0;
@@ -62,6 +62,7 @@ struct MotionMargin {
     };
 
     double everywhere = 0;
+    double later = 0;
     std::array<Across, 2> across{};
     Vec3 along = Vec3::Zero();
 };

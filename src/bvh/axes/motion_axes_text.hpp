@@ -56,8 +56,10 @@ ECODS_ALWAYS_INLINE void widen(AxisSet& set, const Matrix4& normals, const Motio
                                                     const MovingTree& b, const Vec3& d_from, const Vec3& d_to,
                                                     const MotionMargin& margin) noexcept {
     const std::array<Matrix4, 2> normals = bind_sets(sets, a, b, d_from, d_to);
+    MotionMargin at_end = margin;
+    at_end.everywhere += margin.later;
     for (std::size_t i = 0; i < 2; ++i) {
         widen(sets[i].start, normals[i], margin);
-        widen(sets[i].end, normals[i], margin);
+        widen(sets[i].end, normals[i], at_end);
     }
 }

@@ -40,6 +40,7 @@ void BothTurnMotion::set_piece(double from, double to) {
         bounds.near += near;
         bounds.parts.across[side] = body.across(lag);
         bounds.rounding += body.rounding(start, end);
+        bounds.later += body.later(start, end);
         bounds.is_bounded = bounds.is_bounded && body.is_bounded() && most_condition < known;
         bounds.may_divide = bounds.may_divide && body.is_bounded() && least_condition < known;
         if (!(near <= most)) {

@@ -1,6 +1,6 @@
 #include "query/cast/straight_body.hpp"
 
-#include "base/arithmetic.hpp"
+#include <algorithm>
 
 namespace ecods {
 
@@ -11,8 +11,9 @@ void StraightBody::bind(const MeshTree& tree, const Pose& at_start, const Pose& 
     const Mat3 sizes = at_start.R.cwiseAbs(), end_sizes = at_end.R.cwiseAbs();
     size = (sizes * tree.extent.magnitude).sum() + sum_of(beside);
     end_size = (end_sizes * tree.extent.magnitude).sum() + sum_of(way);
-    half = (sizes * tree.extent.half).cwiseMax(end_sizes * tree.extent.half);
-    way_length = length_above(way) * (1 + 4 * two_u);
+    const Vec3 half_at_start = sizes * tree.extent.half, half_at_end = end_sizes * tree.extent.half;
+    half = half_at_start.cwiseMax(half_at_end);
+    least = std::min(half_at_start.norm(), half_at_end.norm());
 }
 
 }  // namespace ecods

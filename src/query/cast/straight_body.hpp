@@ -20,16 +20,16 @@ struct StraightBody {
     TurningBody::Place place_at(double time) const { return {from->R * (1 - time) + to->R * time, time * way}; }
     // True if places are bounded.
     bool is_bounded() const noexcept { return size + end_size < 0x1p1000; }
-    // Returns what 512 u' is multiplied with to bound the places up to a time.
-    double rounding(double latest) const noexcept { return size + latest * end_size; }
+    // Returns what 512 u' is multiplied with to bound the place at a time.
+    double rounding(double time) const noexcept { return size + time * end_size; }
 
     const Pose* from = nullptr;
     const Pose* to = nullptr;
     Vec3 way = Vec3::Zero();
     Vec3 half = Vec3::Zero();  // half the size of a box around the body at either end
+    double least = 0;          // about the length of such a vector where the body is smaller
     double size = 0;           // sum of the magnitudes of the body at the start, and of the vector to the other one
     double end_size = 0;       // sum of the magnitudes of the body at the end, and of the way
-    double way_length = 0;     // upper bound of the way's length
 };
 
 }  // namespace ecods

@@ -11,8 +11,8 @@ void TurnAndStraightMotion::bind(const Turning<MeshShape>& a, const Moving<MeshS
                   a.turn.pivot_to - a.turn.pivot_from, rounded().way_size, between_);
     straight_.bind(MeshShapeAccess::tree(*b.what), b.from, b.to, between_);
     turning_.require_moderate(turning_.half.sum() + straight_.half.sum());
-    bind_bodies({*a.what, *b.what, turning_.half, straight_.half,
-                 turning_.radius + turning_.way_length + straight_.way_length, turning_.size + straight_.size});
+    bind_bodies({*a.what, *b.what, turning_.half, straight_.half, turning_.radius + turning_.way_length,
+                 turning_.size + straight_.size, straight_.least});
 }
 
 void TurnAndStraightMotion::set_piece(double from, double to) {
@@ -24,7 +24,8 @@ void TurnAndStraightMotion::set_piece(double from, double to) {
     const bool is_bounded = turning_.is_bounded() && straight_.is_bounded();
     set_bounds({.near = turning_.radius * lag,
                 .parts = {.across = {turning_.across(lag)}},
-                .rounding = turning_.rounding(start, end) + straight_.rounding(to_),
+                .rounding = turning_.rounding(start, end) + straight_.rounding(from_),
+                .later = turning_.later(start, end) + (to_ - from_) * straight_.end_size,
                 .pace = 1,
                 .is_bounded = is_bounded && most_condition < known,
                 .may_divide = is_bounded && least_condition < known,

@@ -38,7 +38,7 @@ void TurnPieces::bind_bodies(const Bodies& bodies) {
     balls_ = length_above(bodies.half_a) + length_above(bodies.half_b);
     const std::size_t triangle_count = bodies.a.mesh().triangles().size() + bodies.b.mesh().triangles().size();
     usual_step_max_ = step_min + triangle_count / triangles_per_step;
-    const double size_a = bodies.half_a.norm(), size_b = bodies.half_b.norm();
+    const double size_a = bodies.half_a.norm(), size_b = std::min(bodies.half_b.norm(), bodies.least_b);
     const double reach = std::max(std::min(size_a + size_b, bodies.travel), reach_min * bodies.size);
     const double part = triangle_count > many ? wide_part_of_many : wide_part;
     wide_ = std::max(part * std::min(size_a, size_b), wide_min * reach);
@@ -53,12 +53,13 @@ void TurnPieces::set_times(double from, double to) noexcept {
 
 void TurnPieces::set_bounds(const Bounds& bounds) noexcept {
     near_ = bounds.near;
-    const double rounding = 512 * two_u * bounds.rounding;
-    margin_ = bounds.is_bounded ? (near_ + rounding) * (1 + 16 * two_u) + 0x1p-600 : infinity;
+    const double rounding = 512 * two_u * bounds.rounding, later = 512 * two_u * bounds.later;
+    margin_ = bounds.is_bounded ? (near_ + (rounding + later)) * (1 + 16 * two_u) + 0x1p-600 : infinity;
     // The margin is given by parts only if all parts are far from infinity: infinity times zero is no bound.
     if (margin_ < 0x1p900) {
         parts_ = bounds.parts;
         parts_.everywhere += rounding * (1 + 16 * two_u) + 0x1p-600;
+        parts_.later = later * (1 + 16 * two_u);
     } else {
         parts_ = {.everywhere = margin_};
     }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "bvh/axes/motion_axes.hpp"
@@ -44,11 +45,13 @@ class TurnPieces {
 
   protected:
     // Describes both bodies. half_a and half_b are half the sizes of boxes around them at the start; `travel` bounds
-    // how far their points may go, and `size` is the sum of the magnitudes of their coordinates.
+    // how far points of bodies that turn may go, and `size` is the sum of the magnitudes of their coordinates. If b
+    // changes its size, half_b is the greatest such vector, and `least_b` the least length of one.
     struct Bodies {
         const MeshShape &a, &b;
         Vec3 half_a, half_b;
         double travel, size;
+        double least_b = std::numeric_limits<double>::infinity();
     };
     void bind_bodies(const Bodies& bodies);
 
@@ -59,7 +62,8 @@ class TurnPieces {
     struct Bounds {
         double near;                    // upper bound of the bodies' distance from straight motions
         MotionMargin parts;             // the same by parts
-        double rounding;                // places are off by at most 512 u' times this
+        double rounding;                // places are off by at most 512 u' times this at the beginning
+        double later = 0;               // is added to `rounding` at the end, and in proportion to the time before
         double pace;                    // pace of the straight motions (TurnPiece)
         bool is_bounded;                // true if places are bounded, and the rotations known at both ends
         bool may_divide;                // true if places are bounded, and each rotation is known at one end at least

@@ -54,11 +54,15 @@ struct TurningBody {
     MotionMargin::Across across(double sagitta) const;
     // Returns true if the error bounds of places hold at all times at which the rotation is known.
     bool is_bounded() const noexcept { return angles->is_bounded() && size + arm + way_size < 0x1p1000; }
-    // Returns the factor of 512 u' in the error bound of all places between two times.
+    // Return the factors of 512 u' in the error bound of places between two times: that at the first time, and what is
+    // added to it at the last one.
     double rounding(const exact::HalfAngle& from, const exact::HalfAngle& to) const noexcept {
         const double condition = std::max(from.condition, to.condition);
         const double turned = (1 + condition) * std::max(std::abs(from.sin), std::abs(to.sin)) * (size + arm);
-        return turned + (size + to.time * way_size);
+        return turned + (size + from.time * way_size);
+    }
+    double later(const exact::HalfAngle& from, const exact::HalfAngle& to) const noexcept {
+        return (to.time - from.time) * way_size;
     }
 
     const exact::TurnAngles* angles = nullptr;

@@ -36,6 +36,7 @@ void TurnMotion::set_piece(double from, double to) {
                           .across = {body_.across(piece.sagitta)},
                           .along = share * body_.glide},
                 .rounding = body_.rounding(start, end),
+                .later = body_.later(start, end),
                 .pace = piece.pace,
                 .is_bounded = body_.is_bounded() && most < known,
                 .may_divide = body_.is_bounded() && least < known,

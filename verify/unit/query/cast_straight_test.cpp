@@ -325,5 +325,22 @@ TEST(CastStraight, ManyTriangles) {
     EXPECT_TRUE(meet_at(contact->time + 1e-9));
 }
 
+// A body that goes far, or grows a thousand times, takes about as few pairs as beside a straight motion: its rounding
+// at the end says nothing about the beginning, and pieces of the turn are as short as the small body needs.
+TEST(CastStraight, FarAndGrowingEnds) {
+    const MeshShape ring(scenes::torus(48, 24, 0.25)), ball(scenes::sphere(32, 16));
+    const Turn half{{0, 0, 0, 1}, {0, 3, 0}, {0, 3, 0}};
+    Pose grown = at(1000, 0, 0);
+    grown.R *= 1000;
+    for (const Pose& to : {at(-0x1p60, 0x1p58, 0), grown}) {
+        QueryCounts counts;
+        const auto met = cast({ring, Pose()}, half, {ball, at(3, 0, 0)}, Straight{to}, 1, {counts});
+        ASSERT_TRUE(met);
+        EXPECT_GT(met->time, 0);
+        EXPECT_LT(counts.casts.enclosures, 2000U);
+        EXPECT_LT(counts.casts.exact, 200U);
+    }
+}
+
 }  // namespace
 }  // namespace ecods::cast_straight_test
