@@ -88,7 +88,7 @@ TEST(TraceQuestions, AreWrittenWhereTheyAreWanted) {
     EXPECT_EQ(count_of("\nmeetings ", with), 1u);
     EXPECT_EQ(count_of("\ncast_of ", with), 3u);
     EXPECT_EQ(count_of("\nmeetings_of ", with), 3u);
-    EXPECT_EQ(count_of(" translated ", with) + count_of(" turned ", with), 4u);
+    EXPECT_EQ(count_of(" translated ", with) + count_of(" turned ", with), 5u);
     EXPECT_EQ(count_of(" along 3 0x1p+1 ", with), 2u);
     for (const std::string name : {"cast_to_distance", "sided_hits", "sided_hits_of_ray", "inside_parts",
                                    "inside_parts_of_ray", "bodies_containing"}) {
