@@ -110,6 +110,10 @@ TEST_P(WorldWayTest, ContactsAtNodes) {
     world.create_body(point, {.t = {0, 0, 0x1p-1000}});
     world.destroy_body(a);
     EXPECT_EQ(world.cast({point, Pose{.t = {0, 0, 0x1p-999}}}, down)->contact.time, 0x1p-1000 / 3);
+    // On a later leg it is lost beside the time at which the leg begins, which is then the contact's, too.
+    const Along later{{{{}, origin}, {{}, origin}, {{}, {0, 0, -1}}}};
+    EXPECT_EQ(world.cast({point, Pose{.t = {0, 0, 0x1p-999}}}, later, 0.5)->contact.time, 0.5);
+    EXPECT_EQ(world.cast({point, Pose{.t = {0, 0, 0x1p-999}}}, later, std::nextafter(0.5, 0)), std::nullopt);
 }
 
 // The feature of the body with the lesser id comes first, whichever of the two moves.
@@ -225,6 +229,18 @@ TEST_P(WorldWayTest, FarBodiesAreNotAsked) {
     const BodyId b = world.create_body(post, {.t = {12, 0, 0}});
     EXPECT_EQ(world.cast(a, there, 1, {counts})->body, b);
     EXPECT_LT(counts.queries, 10u) << "none of the second leg";
+    // The far end of the arm meets a post behind the pivot, and one that is near the second leg alone.
+    world.destroy_body(b);
+    const BodyId behind = world.create_body(post, {.t = {-7, 0, 0}});
+    const Along around{{{{}, origin}, {half_about_z, origin}, {{}, origin}}};
+    EXPECT_EQ(world.cast(a, around)->body, behind);
+    EXPECT_EQ(world.meetings(std::vector{a}, std::vector<Motion>{around}).size(), 1u);
+    const BodyId ahead = world.create_body(post, {.t = {40, 7, 0}});
+    EXPECT_EQ(world.cast(a, there)->body, ahead);
+    EXPECT_EQ(world.meetings(std::vector{a}, std::vector<Motion>{there}).size(), 1u);
+    world.create_body(post, {.t = {30, 0, 0}});
+    const Along rests_first{{{{}, origin}, {{}, origin}, {{}, {40, 0, 0}}}};
+    EXPECT_EQ(world.meetings(std::vector{a}, std::vector<Motion>{rests_first}).size(), 1u) << "beyond the first leg";
 }
 
 }  // namespace
