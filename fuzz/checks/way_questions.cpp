@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "ecods/cast.hpp"
+#include "ecods/contact.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/solid.hpp"
@@ -28,19 +29,54 @@ std::vector<Hit> hits_of(const Line& line, const Shape& shape, const Pose& pose,
     return all_hits(line, mesh_at(shape, pose), memory);
 }
 
-// Returns the first contact of two bodies of a world, of which the first is translated.
-std::optional<FirstContact> cast_of(const World& world, BodyId a, const Vec3& motion, BodyId b, QueryMemory& memory) {
+// Returns ask(a, b) about two bodies of a world, each as a mesh or as a rounded body.
+template <class Function>
+auto with_pair(const World& world, BodyId a, BodyId b, const Function& ask) {
     const auto first = world.shape(a), second = world.shape(b);
     const auto* const round_a = dynamic_cast<const Rounded*>(first.get());
     const auto* const round_b = dynamic_cast<const Rounded*>(second.get());
     const Pose at_a = world.pose(a), at_b = world.pose(b);
-    if (round_a == nullptr && round_b == nullptr) {
-        return cast(mesh_at(*first, at_a), motion, mesh_at(*second, at_b), 1, memory);
-    }
-    if (round_a == nullptr) return cast(mesh_at(*first, at_a), motion, Posed<Rounded>(*round_b, at_b), 1, memory);
+    if (round_a == nullptr && round_b == nullptr) return ask(mesh_at(*first, at_a), mesh_at(*second, at_b));
+    if (round_a == nullptr) return ask(mesh_at(*first, at_a), Posed<Rounded>(*round_b, at_b));
     const Posed<Rounded> moved(*round_a, at_a);
-    if (round_b == nullptr) return cast(moved, motion, mesh_at(*second, at_b), 1, memory);
-    return cast(moved, motion, Posed<Rounded>(*round_b, at_b), 1, memory);
+    if (round_b == nullptr) return ask(moved, mesh_at(*second, at_b));
+    return ask(moved, Posed<Rounded>(*round_b, at_b));
+}
+
+// Returns the first contact of two bodies of a world, of which the first is translated.
+std::optional<FirstContact> cast_of(const World& world, BodyId a, const Vec3& motion, BodyId b, QueryMemory& memory) {
+    return with_pair(world, a, b, [&](const auto& x, const auto& y) { return cast(x, motion, y, 1, memory); });
+}
+
+// The point of a contact in a world is that of two bodies; the normal is a unit vector, and the opposite one if the
+// bodies are exchanged, unless another pair of features comes first then.
+void check_point_of(const World& world, BodyId own, const Vec3& motion, const BodyContact& met, QueryMemory& memory,
+                    Counters& counters) {
+    const auto point_of = [&](BodyId a, const Vec3& way, BodyId b, const FirstContact& contact) {
+        return with_pair(world, a, b,
+                         [&](const auto& x, const auto& y) { return contact_point(x, way, y, contact, memory); });
+    };
+    const auto is_rounded = [&](BodyId body) {
+        return dynamic_cast<const Rounded*>(world.shape(body).get()) != nullptr;
+    };
+    const auto is_mesh = [&](BodyId body) { return world.shape(body)->kind() == ShapeKind::mesh(); };
+    if (!(is_mesh(own) || is_rounded(own)) || !(is_mesh(met.body) || is_rounded(met.body))) return;
+    const ContactPoint got = world.contact_point(own, motion, met, memory);
+    const bool is_same = got == point_of(own, motion, met.body, met.contact);
+    if (!is_same || got.normal.has_value() != (met.contact.time > 0) ||
+        (got.normal && std::abs(got.normal->norm() - 1) > 0x1p-50)) {
+        throw CheckFailed("point of a contact in a world", "that of two bodies", judge::text(got.point));
+    }
+    ++counters["checked: points of first contacts in worlds"];
+    if (!got.normal || (is_mesh(own) && is_mesh(met.body))) return;
+    const auto back = cast_of(world, met.body, Vec3(-motion), own, memory);
+    if (!back || back->a != met.contact.b || back->b != met.contact.a) return;
+    const auto normal = point_of(met.body, Vec3(-motion), own, *back).normal;
+    if (!normal || *normal != Vec3(-*got.normal)) {
+        throw CheckFailed("normal of a rounded contact, exchanged", judge::text(Vec3(-*got.normal)),
+                          normal ? judge::text(*normal) : "none");
+    }
+    ++counters["checked: normals of rounded contacts, exchanged"];
 }
 
 // Everything but the order of hits whose parameters round to the same.
@@ -239,8 +275,11 @@ void check_casts(std::span<World* const> worlds, std::uint32_t seed, Counters& c
         require("first body met up to a limit", world->cast(id, motion, std::nextafter(time, 2)), expected);
         if (time > 0) require("first body met before it", world->cast(id, motion, std::nextafter(time, 0)), {});
     }
-    // A copy of it meets it at once, or a body before it that touches it.
     const World& one = *worlds[seed % worlds.size()];
+    if (const auto met = one.cast(numbers_of(own), motion)) {
+        check_point_of(one, numbers_of(own), motion, *met, memory, counters);
+    }
+    // A copy of it meets it at once, or a body before it that touches it.
     const auto of_copy = one.cast({one.shape(numbers_of(own)), one.pose(numbers_of(own))}, motion, 1, memory);
     if (!of_copy || of_copy->contact.time != 0 || numbers_of(of_copy->body) > numbers_of(own)) {
         throw CheckFailed("first body that a copy meets", "itself, at once", text(of_copy));
