@@ -9,10 +9,14 @@ def sheet(height=3.0):
     return ecods.Mesh([[0, 0, height], [1, 0, height], [1, 1, height], [0, 1, height]], [[0, 1, 2], [0, 2, 3]])
 
 
+def unit_cube():
+    return ecods.ConvexSolid.hull([[i & 1, i >> 1 & 1, i >> 2 & 1] for i in range(8)])
+
+
 def cube(*corner):
     pose = np.eye(4)
     pose[:3, 3] = corner or (0, 0, 0)
-    return ecods.ConvexSolid.hull([[i & 1, i >> 1 & 1, i >> 2 & 1] for i in range(8)]).at(pose)
+    return unit_cube().at(pose)
 
 
 def test_a_sheet_falls_on_a_cube():
@@ -29,7 +33,7 @@ def test_a_sheet_falls_on_a_cube():
     assert falls.mesh.digest == sheet().digest
     assert falls.box.tolist() == [[0, 0, -1], [1, 1, 3]]
     world = ecods.World()
-    body = world.create_body(cube(), None)
+    body = world.create_body(unit_cube())
     assert world.cast(falls).body == body and world.cast(falls).contact.time == 0.5
     assert world.cast(falls, max_time=0.25) is None
     with pytest.raises(ecods.InvalidMesh):

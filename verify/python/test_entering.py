@@ -52,7 +52,7 @@ def test_balls():
         point = ecods.contact_point(first, motion, second, contact)
         assert point.normal.tolist() == [0, 0, np.sign(motion[2])]
     world = ecods.World()
-    world.create_body(floor, None)
+    world.create_body(floor)
     met = world.cast(ball, [0, 0, -8])
     assert world.contact_point(ball, [0, 0, -8], met).point.tolist() == [1, 2.5, 1]
     with pytest.raises(ecods.NotSupported):

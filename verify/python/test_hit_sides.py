@@ -43,7 +43,7 @@ def test_a_world():
     assert [(part.body, part.part.from_parameter) for part in world.inside_parts(line)] == [
         (bodies[1], 0.125), (bodies[0], 0.5)]
     assert world.inside_parts(ecods.Ray([1, -1, 2], [0, 1, 0], 0.5), filter=ecods.CollisionFilter(1, 1)) == []
-    world.create_body(ecods.sphere(1), None)
+    world.create_body(ecods.sphere(1))
     with pytest.raises(ecods.NotSupported):
         world.sided_hits(line)
 
