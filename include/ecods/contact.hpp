@@ -98,9 +98,10 @@ struct ContactPatch {
 // that are the radius away along the normal, and gaps that are less by the radii.
 //
 // Starts from a witness, and leaves one, except with a half space. Throws NotSupported for other shapes, and for two
-// half spaces; SingularPose; InvalidArgument for limits that are not allowed. Cost: that of distance() or depth(), and
-// some microseconds for each corner; some tens of microseconds where tilted features replace others. To leave corners
-// out by max_corners takes some microseconds for each pair of corners. (Coal: computeContactPatch.)
+// half spaces; SingularPose; InvalidArgument for limits that are not allowed. Cost: that of distance() or depth(), one
+// or two microseconds, and some tenths for each corner; some tens of microseconds where tilted features replace others,
+// and some microseconds for each corner on a half space. To leave corners out by max_corners takes time with the square
+// of their number: for 30, some tens of microseconds. (Coal: computeContactPatch.)
 [[nodiscard]] ECODS_API ContactPatch contact_patch(const Posed<Shape>& a, const Posed<Shape>& b,
                                                    const PatchLimits& limits = {}, const Ask& ask = {});
 

@@ -1,6 +1,7 @@
 #include "scenes/convex_workloads.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "ecods/distance.hpp"
 #include "ecods/intersection.hpp"
@@ -150,6 +151,32 @@ ConvexWorkload boxes(const BoxKind& kind, std::size_t count) {
     return workload;
 }
 
+// Bodies that stand on each other, the upper one turned by any angle, with a gap or a depth of 2^-6.
+struct StackKind {
+    const char* name;
+    int side_count;  // of a regular prism
+    ConvexQuestion question;
+};
+
+ConvexWorkload stacks(const StackKind& kind, std::size_t count) {
+    constexpr int half_height = 512;
+    ConvexWorkload workload{{kind.name, {}, {}}, kind.question, 0};
+    const bool is_gap = kind.question == ConvexQuestion::distance;
+    if (is_gap) workload.nominal = 0x1p-6 * (1 - 0x1p-20);
+    Random random(19);
+    const auto mesh = to_mesh(prism(kind.side_count, 1024, 2 * half_height), 0x1p-10);
+    while (workload.queries.size() < count) {
+        MeshQuery query;
+        const double angle = random.uniform(0, 6.25), c = std::cos(angle), s = std::sin(angle);
+        query.b.pose.R << c, -s, 0, s, c, 0, 0, 0, 1;
+        query.a.pose.t = on_grid(Vec3(random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)));
+        const double x = random.uniform(-0.25, 0.25), y = random.uniform(-0.25, 0.25);
+        query.b.pose.t = query.a.pose.t + on_grid(Vec3(x, y, 1 + (is_gap ? 0x1p-6 : -0x1p-6)));
+        add(workload, mesh, mesh, query);
+    }
+    return workload;
+}
+
 }  // namespace
 
 std::vector<ConvexWorkload> convex_workloads(WorkloadSize size) {
@@ -168,6 +195,11 @@ std::vector<ConvexWorkload> convex_workloads(WorkloadSize size) {
     for (const BoxKind& kind : std::array{BoxKind{"boxes, turned", 1, true}, BoxKind{"boxes, aligned", 1, false},
                                           BoxKind{"plates 500:1", 0.002, true}})
         workloads.push_back(boxes(kind, count));
+    for (const StackKind& kind : std::array{StackKind{"boxes, stacked", 4, ConvexQuestion::depth},
+                                            StackKind{"prisms, stacked", 16, ConvexQuestion::depth},
+                                            StackKind{"boxes, stacked, gap", 4, ConvexQuestion::distance},
+                                            StackKind{"prisms, stacked, gap", 16, ConvexQuestion::distance}})
+        workloads.push_back(stacks(kind, count));
     return workloads;
 }
 

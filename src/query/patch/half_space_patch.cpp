@@ -66,7 +66,7 @@ class PlanePatch {
             added.b = half_spaces::plane_feature;
             points.push_back(exact.at[0]);
         }
-        keep_corners(patch, limits_.max_corners, normal_.n, [&](std::size_t i) { return points[i]; });
+        keep_corners(patch, limits_.max_corners, ListedCorners(points, normal_.n));
         return patch;
     }
 

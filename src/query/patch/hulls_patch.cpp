@@ -7,6 +7,7 @@
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "exact/measure/round/distance_beyond.hpp"
+#include "exact/point/posed_point.hpp"
 #include "geometry/feature_key.hpp"
 #include "query/convex/closest_hulls.hpp"
 #include "query/convex/exact_hulls.hpp"
@@ -121,15 +122,34 @@ class HullsPatch final : public Turn {
             if (has_radius()) set_normal();
             round_least(hulls_, pair, reach_, normal_, corner);
         }
-        if (limits_.max_corners == 0 || pairs_.size() <= limits_.max_corners) {
-            patch_.corner_count = static_cast<std::uint32_t>(pairs_.size());
-            return;
-        }
-        set_normal();
-        const SeenAlong seen(hulls_, polygons, normal_);
-        keep_corners(patch_, limits_.max_corners, normal_.n,
-                     [&](std::size_t i) { return seen.corner(pairs_[i]).at[0]; });
+        keep_corners(patch_, limits_.max_corners, LeastCorners(*this));
     }
+
+    // LeastCorners makes the exact corners of the least difference, each when it is needed, as a point of either body:
+    // their order and areas, seen along the normal, are the same for both.
+    class LeastCorners final : public ExactCorners {
+      public:
+        explicit LeastCorners(HullsPatch& of) noexcept : of_(of) {}
+        LongPoint point(std::size_t i) const override {
+            const HullFeaturePair& pair = of_.pairs_[i];
+            for (const std::size_t side : {0, 1}) {
+                if (pair[side].kind != Kind::vertex) continue;
+                const exact::PointRef vertex = of_.hulls_.reference({side, pair[side].index});
+                return {exact::posed_point(*vertex.pose, *vertex.v), ScaledInteger(1.0)};
+            }
+            of_.set_normal();
+            const Polygons edges{Polygon(of_.hulls_.hull(0), pair[0], false),
+                                 Polygon(of_.hulls_.hull(1), pair[1], false)};
+            return SeenAlong(of_.hulls_, edges, of_.normal_).corner(pair).at[0];
+        }
+        ScaledLongVector normal() const override {
+            of_.set_normal();
+            return of_.normal_.n;
+        }
+
+      private:
+        HullsPatch& of_;
+    };
 
     // Compares the gap with max_gap. Rounding is monotonic, so the rounded gap decides unless it equals the limit.
     bool is_gap_too_large() {
@@ -184,7 +204,7 @@ class HullsPatch final : public Turn {
             round_corner(exact, reach_, normal_, add(pair));
             points.push_back(exact.at[0]);
         }
-        keep_corners(patch_, limits_.max_corners, normal_.n, [&](std::size_t i) { return points[i]; });
+        keep_corners(patch_, limits_.max_corners, ListedCorners(points, normal_.n));
     }
 
     PatchCorner& add(const HullFeaturePair& pair) {
@@ -209,6 +229,17 @@ class HullsPatch final : public Turn {
 };
 
 }  // namespace
+
+void keep_corners(ContactPatch& patch, std::uint32_t max_corners, const ExactCorners& exact) {
+    patch.corner_count = static_cast<std::uint32_t>(patch.corners.size());
+    if (max_corners == 0 || patch.corners.size() <= max_corners) return;
+    std::vector<Vec3> points;
+    for (const PatchCorner& corner : patch.corners) points.push_back(corner.point_a);
+    std::size_t kept = 0;
+    for (const std::size_t i : choose_corners(points, patch.normal, exact, max_corners))
+        patch.corners[kept++] = patch.corners[i];
+    patch.corners.resize(kept);
+}
 
 ContactPatch patch_of_hulls(convex::PosedHulls& hulls, const exact::Radii& radii, const PatchLimits& limits,
                             QueryMemory& memory, PairWitness& witness) {

@@ -13,17 +13,20 @@ ContactPatch patch_of_hulls(convex::PosedHulls& hulls, const exact::Radii& radii
                             QueryMemory& memory, PairWitness& witness);
 
 // Sets corner_count to the number of corners, and then removes those that choose_corners() leaves out; max_corners = 0
-// keeps all. The corners must be in order around the normal. point(i) must return the exact position of corner i on
-// either body.
-template <class Point>
-void keep_corners(ContactPatch& patch, std::uint32_t max_corners, const ScaledLongVector& normal, const Point& point) {
-    patch.corner_count = static_cast<std::uint32_t>(patch.corners.size());
-    if (max_corners == 0 || patch.corners.size() <= max_corners) return;
-    std::vector<LongPoint> points;
-    for (std::size_t i = 0; i < patch.corners.size(); ++i) points.push_back(point(i));
-    std::size_t kept = 0;
-    for (const std::size_t i : choose_corners(points, normal, max_corners)) patch.corners[kept++] = patch.corners[i];
-    patch.corners.resize(kept);
-}
+// keeps all. The corners must be in order around the normal. `exact` must have their exact positions on either body.
+void keep_corners(ContactPatch& patch, std::uint32_t max_corners, const ExactCorners& exact);
+
+// ListedCorners refers to a list of exact corners.
+class ListedCorners final : public ExactCorners {
+  public:
+    ListedCorners(const std::vector<LongPoint>& points, const ScaledLongVector& normal) noexcept
+        : points_(points), normal_(normal) {}
+    LongPoint point(std::size_t i) const override { return points_[i]; }
+    ScaledLongVector normal() const override { return normal_; }
+
+  private:
+    const std::vector<LongPoint>& points_;
+    const ScaledLongVector& normal_;
+};
 
 }  // namespace ecods::patches

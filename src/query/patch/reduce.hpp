@@ -4,19 +4,31 @@
 #include <cstddef>
 #include <vector>
 
+#include "ecods/pose.hpp"
 #include "query/patch/seen_along.hpp"
 
 namespace ecods::patches {
 
+// ExactCorners returns the exact positions of corners, and the exact normal.
+class ExactCorners {
+  public:
+    virtual LongPoint point(std::size_t i) const = 0;
+    virtual ScaledLongVector normal() const = 0;
+
+  protected:
+    ~ExactCorners() = default;
+};
+
 // Returns the indices of `count` points, ascending. Of all choices that contain the first point, it is the one whose
 // polygon has the greatest area, seen along the normal; among equal areas, the lexicographically first. If `count` is
 // 2, the second point is the one furthest from the first across the normal. The points are the corners of a convex
-// polygon, in order; `count` is at least 1 and less than their number. Exact.
+// polygon, in order; `count` is at least 1 and less than their number. `points` are the exact positions, each
+// coordinate rounded once, or all moved by one vector before; `normal` is the unit normal, rounded once. Exact.
 //
 // The polygon from the first point c over points i < j < ... has the sum of the areas of triangles (c, i, j), (c, j,
 // ...). So the best choice of k points that ends at j is the best one of k - 1 points that ends at some i < j, and (c,
-// i, j). Cost for m points: m^2 areas, and `count` m^2 sums and comparisons; bounds in doubles decide most comparisons.
-std::vector<std::size_t> choose_corners(const std::vector<LongPoint>& points, const ScaledLongVector& normal,
+// i, j). Cost for m points: m^2 areas, and `count` m^2 sums and comparisons, most of which doubles decide.
+std::vector<std::size_t> choose_corners(const std::vector<Vec3>& points, const Vec3& normal, const ExactCorners& exact,
                                         std::size_t count);
 
 }  // namespace ecods::patches

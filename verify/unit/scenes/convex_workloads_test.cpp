@@ -30,7 +30,7 @@ TEST(ConvexWorkloads, AreWhatTheySay) {
             }
         }
     }
-    EXPECT_EQ(distance_count, 12u);
+    EXPECT_EQ(distance_count, 18u);
 }
 
 }  // namespace
