@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ecods/contact.hpp"
+#include "ecods/half_space.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/rounded.hpp"
 #include "unit/allocation/pair_scene.hpp"
@@ -20,6 +21,7 @@ const PairCall questions[] = {
          const Rounded padded(p.a, 0x1p-60);
          const auto ball = sphere(0.1, {0.125, 0, 0}), bone = capsule({0, 0, 0}, {1e-200, 0, 1}, 0x1p-1074);
          const Posed<Rounded> first(padded, p.pose_a);
+         const HalfSpace ground(Vec3(0, 0x1p-30, 1), -5);
          Digest all;
          for (const auto& other : {ball, bone}) {
              const Posed<Rounded> second(other, p.pose_b);
@@ -33,6 +35,12 @@ const PairCall questions[] = {
              all.add(locate(Vec3(0.1, 0.2, 1e-200), second, p.memory).side);
              const auto contact = cast(first, {1, 0.5, 1e-200}, second, 1, p.memory);
              all.add(contact ? contact->time : -1);
+             const Pose to{p.pose_a.R, p.pose_a.t + Vec3(1, 0.5, 1e-200)}, low{p.pose_a.R, Vec3(0, 0, -9)};
+             const Moving<Rounded> moving(padded, p.pose_a, to), falling(other, p.pose_b, low);
+             const auto met = cast(moving, Moving<Rounded>(other, p.pose_b, p.pose_b), 1, p.memory);
+             all.add(met ? met->time : -1);
+             const auto landed = cast(falling, Moving<HalfSpace>(ground, Pose(), Pose()), 1, p.memory);
+             all.add(landed ? landed->time : -1);
              const Ray ray{{-9, 0.01, 1e-200}, {1, 1e-3, 0}};
              for (const Hit& hit : other->all_hits(ray, p.pose_b, p.memory)) all.add(hit.parameter);
              if (const auto hit = other->first_hit(ray, p.pose_b, p.memory)) all.add(hit->point[1]);

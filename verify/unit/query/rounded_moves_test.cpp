@@ -162,6 +162,12 @@ TEST(RoundedMoves, WhatIsNoTranslationIsRefused) {
             round);
     refused([&] { return cast(Moving<MeshShape>(cube, start, turned), moving(ball, there, there)); },
             Question::cast_moving, mesh, round);
+    for (int k = 0; k < 3; ++k) {  // a matrix that changes in one column
+        Pose other = start;
+        other.R(k, k) = 2;
+        refused([&] { return cast(moving(bone, start, other), moving(ball, there, there)); }, Question::cast_moving,
+                round, round);
+    }
     EXPECT_TRUE(cast(moving(ball, start, turned), Moving<MeshShape>(cube, at(4), at(4))).has_value());
     // Without radii, the cores may move in any way.
     EXPECT_EQ(
