@@ -32,6 +32,13 @@ void bind_motions(py::module_& m) {
                Field{"to", &Straight::to, "(4, 4) float64."})
         .def(py::init([](const Pose& to) { return valid_motion(Straight{to}); }), py::arg("to"),
              "Goes to a pose (4, 4) or (3, 4). Raises InvalidArgument.");
+    add_record(m, "WayNode", "A node of a Way: how far a body has turned there since the beginning, and its pivot.",
+               Field{"q", &WayNode::q, "The quaternion (w, x, y, z), of any length."},
+               Field{"pivot", &WayNode::pivot, "(3,) float64: the place of the pivot in the world."})
+        .def(py::init([](const Quaternion& q, const Vec3& pivot) {
+                 return WayNode{q, pivot};
+             }),
+             py::arg("q"), py::arg("pivot") = py::make_tuple(0, 0, 0), "Takes all numbers; a Way checks its nodes.");
     add_record(m, "Along",
                "A motion in the time from 0 to 1: a body goes along the nodes of a Way, each leg in an equal share of "
                "the time. Of n legs, a contact at the time s of leg k is at the time (k + s) / n, rounded once.",

@@ -27,13 +27,6 @@ std::shared_ptr<MeshShape> mesh_on_way(const WayOfMesh& way) {
 }
 
 void add_way_records(py::module_& m) {
-    add_record(m, "WayNode", "A node of a Way: how far a body has turned there since the beginning, and its pivot.",
-               Field{"q", &WayNode::q, "The quaternion (w, x, y, z), of any length."},
-               Field{"pivot", &WayNode::pivot, "(3,) float64: the place of the pivot in the world."})
-        .def(py::init([](const Quaternion& q, const Vec3& pivot) {
-                 return WayNode{q, pivot};
-             }),
-             py::arg("q"), py::arg("pivot") = py::make_tuple(0, 0, 0), "Takes all numbers; a Way checks its nodes.");
     add_record(m, "WayContact", "The first contact on a Way.",
                Field{"leg", &WayContact::leg, "The leg; 0 is that from node 0 to node 1."},
                Field{"contact", &WayContact::contact, "The FirstContact, whose time is that in the leg."});

@@ -228,6 +228,11 @@ TEST_P(WorldWayTest, FarBodiesAreNotAsked) {
     counts = {};
     const BodyId b = world.create_body(post, {.t = {12, 0, 0}});
     EXPECT_EQ(world.cast(a, there, 1, {counts})->body, b);
+    EXPECT_LT(counts.queries, 10u);
+    const BodyId ahead = world.create_body(post, {.t = {40, 7, 0}});
+    const Along into_the_field{{{{}, origin}, {{}, {20, 0, 0}}, {{}, {20, 30, 0}}}};
+    counts = {};
+    EXPECT_EQ(world.cast(a, into_the_field, 1, {counts})->body, b);
     EXPECT_LT(counts.queries, 10u) << "none of the second leg";
     // The far end of the arm meets a post behind the pivot, and one that is near the second leg alone.
     world.destroy_body(b);
@@ -235,7 +240,6 @@ TEST_P(WorldWayTest, FarBodiesAreNotAsked) {
     const Along around{{{{}, origin}, {half_about_z, origin}, {{}, origin}}};
     EXPECT_EQ(world.cast(a, around)->body, behind);
     EXPECT_EQ(world.meetings(std::vector{a}, std::vector<Motion>{around}).size(), 1u);
-    const BodyId ahead = world.create_body(post, {.t = {40, 7, 0}});
     EXPECT_EQ(world.cast(a, there)->body, ahead);
     EXPECT_EQ(world.meetings(std::vector{a}, std::vector<Motion>{there}).size(), 1u);
     world.create_body(post, {.t = {30, 0, 0}});
