@@ -70,6 +70,7 @@ MAKERS = {
     "Translation": lambda: ecods.Translation([0.1, 0, -2]),
     "Straight": lambda: ecods.Straight(FAR),
     "WayNode": lambda: WAY.nodes[1],
+    "Along": lambda: ecods.Along(WAY.nodes),
     "Way": lambda: WAY,
     "WayContact": lambda: ecods.cast(WAY, NEAR.mesh.at(FAR)),
     "Rounded": lambda: ecods.rounded(CUBE, 0.5),
