@@ -24,7 +24,7 @@ using Kind = Feature::Kind;
 class HullsPatch final : public Turn {
   public:
     HullsPatch(convex::PosedHulls& hulls, const exact::Radii& radii, const PatchLimits& limits)
-        : hulls_(hulls), radii_(radii), reach_(radii), limits_(limits) {}
+        : hulls_(hulls), radii_(radii), limits_(limits) {}
 
     ContactPatch find(QueryMemory& memory, PairWitness& witness) {
         find_least(depths::DepthMemory::of(memory), witness);
@@ -69,7 +69,11 @@ class HullsPatch final : public Turn {
         return true;
     }
 
-    bool has_radius() const noexcept { return reach_.sum.sign() != 0; }
+    bool has_radius() const noexcept { return key_of(radii_.a) != 0 || key_of(radii_.b) != 0; }
+    const Reach& reach() {
+        if (!reach_) reach_.emplace(radii_);
+        return *reach_;
+    }
     Feature name(std::size_t side, const HullFeature& part) const noexcept { return name_of(hulls_.hull(side), part); }
 
     void set_normal() {
@@ -81,8 +85,8 @@ class HullsPatch final : public Turn {
     double distance_of_rounded() {
         if (const auto distance = fixed_ ? fixed_->distance() : std::nullopt) return *distance;
         const exact::SquaredDistance square = square_of(hulls_, least_);
-        return least_.is_depth ? opposite(exact::round_signed_beyond(square, -reach_.sum))
-                               : exact::round_signed_beyond(square, reach_.sum);
+        return least_.is_depth ? opposite(exact::round_signed_beyond(square, -reach().sum))
+                               : exact::round_signed_beyond(square, reach().sum);
     }
 
     HullFeature facing_part(std::size_t side) const {
@@ -97,8 +101,9 @@ class HullsPatch final : public Turn {
     // Returns true if pair x comes before pair y in the order of ClosestPoints.
     bool is_before(const HullFeaturePair& x, const HullFeaturePair& y) const {
         const auto names = [&](const HullFeaturePair& pair) {
-            const convex::HullFeatures found = features_of(hulls_, pair);
-            return FeatureNames{static_cast<ClosestKind>(found.features.kind), name(0, pair[0]), name(1, pair[1])};
+            const auto count = [&](std::size_t side) { return static_cast<std::size_t>(pair[side].kind) + 1; };
+            const exact::FeaturePair features = exact::features_of_counts(count(0), count(1));
+            return FeatureNames{static_cast<ClosestKind>(features.kind), name(0, pair[0]), name(1, pair[1])};
         };
         return rank(names(x)) < rank(names(y));
     }
@@ -120,7 +125,7 @@ class HullsPatch final : public Turn {
             corner.gap = patch_.distance;
             if (fixed_ && fixed_->round(pair, corner)) continue;
             if (has_radius()) set_normal();
-            round_least(hulls_, pair, reach_, normal_, corner);
+            round_least(hulls_, pair, reach(), normal_, corner);
         }
         keep_corners(patch_, limits_.max_corners, LeastCorners(*this));
     }
@@ -155,7 +160,7 @@ class HullsPatch final : public Turn {
     bool is_gap_too_large() {
         const std::int64_t gap = key_of(patch_.distance), limit = key_of(limits_.max_gap);
         if (gap != limit || limit == infinity_key) return gap > limit;
-        const exact::ExactSum cores = reach_.sum.plus(limits_.max_gap);
+        const exact::ExactSum cores = reach().sum.plus(limits_.max_gap);
         const exact::SquaredDistance square = square_of(hulls_, least_);
         if (!least_.is_depth) return cores.sign() < 0 || exact::compare(square, cores) > 0;
         return cores.sign() < 0 && exact::compare(square, -cores) < 0;
@@ -200,8 +205,8 @@ class HullsPatch final : public Turn {
         const bool is_limited = key_of(limits_.max_gap) != infinity_key;
         for (const HullFeaturePair& pair : pairs_) {
             const LongCorner exact = seen.corner(pair);
-            if (is_limited && compare_gap(exact, reach_, normal_, limits_.max_gap) > 0) continue;
-            round_corner(exact, reach_, normal_, add(pair));
+            if (is_limited && compare_gap(exact, reach(), normal_, limits_.max_gap) > 0) continue;
+            round_corner(exact, reach(), normal_, add(pair));
             points.push_back(exact.at[0]);
         }
         keep_corners(patch_, limits_.max_corners, ListedCorners(points, normal_.n));
@@ -216,7 +221,7 @@ class HullsPatch final : public Turn {
 
     convex::PosedHulls& hulls_;
     const exact::Radii radii_;
-    const Reach reach_;
+    std::optional<Reach> reach_;  // made when it is needed
     const PatchLimits& limits_;
     convex::LeastDifference least_;
     double core_distance_ = 0;  // or the depth of the cores

@@ -206,6 +206,26 @@ TEST(ContactPatchJudged, OfAllBoxesOnALattice) {
     }
 }
 
+// An octagon, of which many choices have exactly one area: doubles, rounded at a pose that both bodies have, do not
+// decide among them.
+TEST(ContactPatchJudged, OfCornersWithEqualAreas) {
+    const auto square = std::make_shared<const ConvexSolid>(box({-0.75, -0.75, -0.5}, {0.75, 0.75, 0.5}));
+    std::vector<Vec3> points;
+    for (const double z : {0.375, 1.375}) points.insert(points.end(), {{1, 0, z}, {0, 1, z}, {-1, 0, z}, {0, -1, z}});
+    const auto diamond = std::make_shared<const ConvexSolid>(points);
+    Random random(46);
+    for (int i = 0; i < 4; ++i) {
+        SCOPED_TRACE(i);
+        const Pose pose = random.turned();
+        const Pair pair{{square, diamond}, {pose, pose}};
+        for (const std::uint32_t count : {2U, 3U, 4U, 5U, 7U}) {
+            expect_right(pair, {.max_corners = count});
+            expect_right(pair.turned(), {.max_corners = count});
+        }
+        if (HasFatalFailure()) return;
+    }
+}
+
 // Far from one, where exact numbers are long, and subnormal.
 TEST(ContactPatchJudged, OfAllSizes) {
     Random random(43);
