@@ -186,7 +186,9 @@ TEST_F(RoundedSegmentsTest, NumbersAtTheMiddleOfTwoDoubles) {
     for (const int shift : {0, 20, 60}) {
         const Int128 middle = (Int128{(std::int64_t{1} << 53) + 3} << shift) * 2, unit = Int128{2} << shift;
         for (const int sign : {-1, 1}) {
-            EXPECT_FALSE((FixedNumber{sign * middle, 0}.rounded(0)));
+            // An exact middle goes to the even double.
+            EXPECT_EQ((FixedNumber{sign * middle, 0}.rounded(0)), sign * std::ldexp(0x1p53 + 4, shift + 1));
+            EXPECT_FALSE((FixedNumber{sign * middle, 1}.rounded(0)));
             EXPECT_FALSE((FixedNumber{sign * (middle + 5), 5}.rounded(0)));
             const auto above = FixedNumber{sign * (middle + 5), 1}.rounded(0);
             const auto below = FixedNumber{sign * (middle - 5), 1}.rounded(0);
