@@ -115,9 +115,9 @@ class NamedFeature {
     Meaning meaning_;
 };
 
-convex::PosedFeature feature_of(const SmallHull& hull, const std::array<std::uint32_t, 3>& corners,
-                                std::size_t count) noexcept {
-    convex::PosedFeature result{&hull.posed().pose, {}, count};
+exact::PosedFeature feature_of(const SmallHull& hull, const std::array<std::uint32_t, 3>& corners,
+                               std::size_t count) noexcept {
+    exact::PosedFeature result{&hull.posed().pose, {}, count};
     for (std::size_t i = 0; i < count; ++i) result.corners[i] = &hull.vertex(corners[i]);
     return result;
 }

@@ -4,13 +4,13 @@
 
 #include <optional>
 
+#include "exact/measure/distance/fixed_closest.hpp"
 #include "query/body/rounded_pair.hpp"
-#include "query/convex/fixed_closest.hpp"
 #include "query/convex/small_hulls.hpp"
 
 namespace ecods {
 
-class RoundedSegments : public convex::FixedClosest {
+class RoundedSegments : public exact::FixedClosest {
   public:
     // Returns nullopt unless both cores are meshes of one point or segment, which certainly share no point, and at
     // least one has a radius; or if fixed precision does not decide which features are closest.

@@ -14,6 +14,8 @@ namespace ecods {
 namespace {
 
 using namespace convex;
+using exact::FixedClosest;
+using exact::PosedFeature;
 
 // Set the witness to a triangle of each solid at its closest feature, or at a vertex near it.
 void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) noexcept {

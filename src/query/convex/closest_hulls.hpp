@@ -17,9 +17,9 @@
 #include "ecods/ask.hpp"
 #include "ecods/results.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/distance/fixed_closest.hpp"
 #include "exact/measure/round/rounded_ends.hpp"
 #include "exact/measure/round/squared_distance.hpp"
-#include "query/convex/fixed_closest.hpp"
 #include "query/convex/gjk.hpp"
 #include "query/convex/hull_features.hpp"
 #include "query/convex/posed_hulls.hpp"
@@ -109,12 +109,13 @@ using HullFeaturePair = std::array<HullFeature, 2>;
 
 // Returns the closest points in fixed precision, named as ClosestPoints says; nullopt unless they are the only ones,
 // and fixed precision shows where they are.
-std::optional<FixedClosest> find_fixed(const PosedHulls& hulls, const ClosestHulls& closest, const exact::Radii& radii);
+std::optional<exact::FixedClosest> find_fixed(const PosedHulls& hulls, const ClosestHulls& closest,
+                                              const exact::Radii& radii);
 
 // Does the same for named features, which have one pair of closest points, in the interiors of both. The features are
 // as FixedClosest::of_features() takes them.
-std::optional<FixedClosest> find_fixed(const PosedHulls& hulls, const HullFeaturePair& parts,
-                                       const exact::Radii& radii);
+std::optional<exact::FixedClosest> find_fixed(const PosedHulls& hulls, const HullFeaturePair& parts,
+                                              const exact::Radii& radii);
 
 // Chooses the features that name the closest points, by the rule of ClosestPoints, and computes these points. If radii
 // are given, points and distance are those of the rounded hulls.

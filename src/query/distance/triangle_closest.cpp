@@ -1,6 +1,8 @@
 #include <array>
 
+#include "base/double_key.hpp"
 #include "exact/measure/distance/closest_points.hpp"
+#include "exact/measure/distance/guess_features.hpp"
 #include "exact/measure/distance/name_features.hpp"
 #include "exact/measure/distance/set_ends.hpp"
 #include "exact/measure/distance/shared_corners.hpp"
@@ -19,7 +21,30 @@ PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
     return {a.pose, &a.mesh->vertices()[triangles_[0][i][0]]};
 }
 
+std::optional<FixedClosest> TriangleDistances::find_fixed(std::uint32_t i, std::uint32_t j, const Radii& radii) {
+    const IntegerPair pair = integers(i, j);
+    const FeaturePair found = guess_features(pair);
+    if (!enclose_distance(pair, found).is_certain) return std::nullopt;
+    std::array<PosedFeature, 2> features;
+    for (const std::size_t side : {0, 1}) {
+        const BodyRef& body = points_.body(side);
+        const Triangle& corners = triangles_[side][side == 0 ? i : j];
+        features[side] = {body.pose, {}, found.corner_count(side)};
+        for (std::size_t k = 0; k < features[side].count; ++k) {
+            features[side].corners[k] = &body.mesh->vertices()[corners[(found.corner(side) + k) % 3]];
+        }
+    }
+    FixedClosest::Names names;
+    name_features(names, found, {i, j});
+    return FixedClosest::of_features(features, radii, names);
+}
+
 ClosestPoints TriangleDistances::closest(std::uint32_t i, std::uint32_t j, const Radii& radii, PointA point_a) {
+    const std::optional<FixedClosest> fixed = find_fixed(i, j, radii);
+    if (auto points = fixed ? fixed->signed_closest() : std::nullopt) {
+        points->distance = positive_part(points->distance);
+        return *points;
+    }
     return with_features(i, j, [&](const auto& points, const auto& features, const ClosestFeatures& guess) {
         ClosestPoints result;
         std::array<ExactPoint, 2> ends;

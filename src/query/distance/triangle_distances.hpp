@@ -12,6 +12,7 @@
 #include "exact/measure/distance/closest_slab.hpp"
 #include "exact/measure/distance/enclose_distance.hpp"
 #include "exact/measure/distance/feature_pair.hpp"
+#include "exact/measure/distance/fixed_closest.hpp"
 #include "exact/measure/round/rounded_ends.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 #include "exact/point/frame.hpp"
@@ -104,6 +105,8 @@ class TriangleDistances {
     };
 
     exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
+    // Returns the closest points in fixed precision; nullopt unless doubles are certain of their features.
+    std::optional<exact::FixedClosest> find_fixed(std::uint32_t i, std::uint32_t j, const exact::Radii& radii);
     template <class Use>
     auto with_features(std::uint32_t i, std::uint32_t j, Use&& use);
     const Measured& measured(const TrianglePair& pair);

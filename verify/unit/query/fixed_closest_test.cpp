@@ -1,6 +1,6 @@
 // The closest points of convex solids in fixed precision, beside the oracle and the exact direction: equal bits where
 // fixed precision decides, whatever the pair.
-#include "query/convex/fixed_closest.hpp"
+#include "exact/measure/distance/fixed_closest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -103,12 +103,12 @@ TEST_F(FixedClosestTest, HardPairs) {
 
 // The foot of a vertex on a triangle, and on the face whose parallelogram the triangle's corners span.
 TEST_F(FixedClosestTest, FeetOfAVertex) {
-    using convex::FixedClosest;
+    using exact::FixedClosest;
     const Pose pose;
     const std::array<Vec3, 3> corners{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
-    const convex::PosedFeature face{&pose, {&corners[0], &corners[1], &corners[2]}, 3};
+    const exact::PosedFeature face{&pose, {&corners[0], &corners[1], &corners[2]}, 3};
     const auto number_of = [&](const Vec3& x, FixedClosest::Foot foot, bool is_inverted) -> std::optional<double> {
-        const convex::PosedFeature vertex{&pose, {&x, nullptr, nullptr}, 1};
+        const exact::PosedFeature vertex{&pose, {&x, nullptr, nullptr}, 1};
         const auto found = FixedClosest::of_features({vertex, face}, {1, 0.5}, {}, foot);
         const auto back = FixedClosest::of_features({face, vertex}, {0.5, 1}, {}, foot);
         EXPECT_EQ(found.has_value(), back.has_value());

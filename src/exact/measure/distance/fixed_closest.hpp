@@ -14,7 +14,7 @@
 #include "exact/measure/round/rounded_ends.hpp"
 #include "exact/measure/round/scaled_vector.hpp"
 
-namespace ecods::convex {
+namespace ecods::exact {
 
 // Refers to a feature of a posed body by its vertices: one for a vertex, two for an edge, three of a face.
 struct PosedFeature {
@@ -38,15 +38,14 @@ class FixedClosest {
     // interiors of both. The features are two vertices, two edges, or a vertex and any feature. If the foot is known to
     // be in a face, it must also be in the parallelogram of the first corner and the two others. Sets the kind of the
     // names.
-    static std::optional<FixedClosest> of_features(const std::array<PosedFeature, 2>& features,
-                                                   const exact::Radii& radii, Names names,
-                                                   Foot foot = Foot::in_triangle) noexcept;
+    static std::optional<FixedClosest> of_features(const std::array<PosedFeature, 2>& features, const Radii& radii,
+                                                   Names names, Foot foot = Foot::in_triangle) noexcept;
 
     // Returns the same points for bodies that share them along the vector between the points: radii then move the
     // points away from each other, and add to the distance, which is a depth.
     FixedClosest inverted() const noexcept;
 
-    FixedClosest(const exact::ClosestOnSegments& at, const exact::FixedVector& w, int unit, const exact::Radii& radii,
+    FixedClosest(const ClosestOnSegments& at, const FixedVector& w, int unit, const Radii& radii,
                  const Names& names) noexcept
         : at_(at), w_(w), unit_(unit), radii_(radii), names_(names) {}
 
@@ -66,8 +65,8 @@ class FixedClosest {
     const Names& names() const noexcept { return names_; }
 
     // Returns the vector from the first closest point to the second; its coordinates are off by at most errors().
-    exact::IntegerVector between() const noexcept { return exact::difference(at_.point[1], at_.point[0]); }
-    exact::ErrorBounds errors() const noexcept {
+    IntegerVector between() const noexcept { return difference(at_.point[1], at_.point[0]); }
+    ErrorBounds errors() const noexcept {
         const auto& [x, y] = at_.errors;
         return {x[0] + y[0], x[1] + y[1], x[2] + y[2]};
     }
@@ -75,17 +74,17 @@ class FixedClosest {
   private:
     // A Gap is a number in units of 2^unit, with an error bound.
     struct Gap {
-        exact::FixedNumber number;
+        FixedNumber number;
         int unit;
     };
     Gap gap() const noexcept;  // the distance of the features less both radii
 
-    exact::ClosestOnSegments at_;
-    exact::FixedVector w_;
+    ClosestOnSegments at_;
+    FixedVector w_;
     int unit_;
     bool is_inverted_ = false;
-    exact::Radii radii_;
+    Radii radii_;
     Names names_;
 };
 
-}  // namespace ecods::convex
+}  // namespace ecods::exact

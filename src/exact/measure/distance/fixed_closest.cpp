@@ -1,4 +1,4 @@
-#include "query/convex/fixed_closest.hpp"
+#include "exact/measure/distance/fixed_closest.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,28 +10,28 @@
 #include "exact/number/power.hpp"
 #include "exact/point/segment_ends.hpp"
 
-namespace ecods::convex {
+namespace ecods::exact {
 namespace {
 
-exact::SegmentRef segment_of(const PosedFeature& feature) noexcept {
+SegmentRef segment_of(const PosedFeature& feature) noexcept {
     return {feature.pose, feature.corners[0], feature.corners[feature.count == 1 ? 0 : 1]};
 }
 
 // The closest points of two vertices or edges are those of segments; those of a vertex and a face are so, too
 // (exact/point/segment_ends.hpp).
-exact::SegmentEnds ends_of(const std::array<PosedFeature, 2>& features, int high) noexcept {
+SegmentEnds ends_of(const std::array<PosedFeature, 2>& features, int high) noexcept {
     for (const std::size_t side : {0, 1}) {
         if (features[side].count != 3) continue;
         const PosedFeature &face = features[side], &vertex = features[1 - side];
-        return {exact::PointAndTriangle{vertex.pose, vertex.corners[0], face.pose, face.corners}, side, high};
+        return {PointAndTriangle{vertex.pose, vertex.corners[0], face.pose, face.corners}, side, high};
     }
     return {segment_of(features[0]), segment_of(features[1]), high};
 }
 
 // Takes the points of the segments of a vertex and a face for those of the two features: the vertex, and its foot.
-void move_to_features(exact::ClosestOnSegments& at, const exact::SegmentEnds& ends, std::size_t of_face) noexcept {
+void move_to_features(ClosestOnSegments& at, const SegmentEnds& ends, std::size_t of_face) noexcept {
     const std::size_t of_vertex = 1 - of_face;
-    const auto w = exact::difference(at.point[of_face], at.point[of_vertex]);
+    const auto w = difference(at.point[of_face], at.point[of_vertex]);
     at.point[of_vertex] = ends.at[of_vertex][0];
     for (std::size_t k = 0; k < 3; ++k) {
         at.point[of_face][k] = at.point[of_vertex][k] + w[k];
@@ -42,26 +42,26 @@ void move_to_features(exact::ClosestOnSegments& at, const exact::SegmentEnds& en
     }
 }
 
-bool is_in_triangle(const exact::ClosestOnSegments& at) noexcept {
+bool is_in_triangle(const ClosestOnSegments& at) noexcept {
     return at.parameter_max[0] + at.parameter_max[1] < 1 - 4 * two_u;
 }
 
 }  // namespace
 
-std::optional<FixedClosest> FixedClosest::of_features(const std::array<PosedFeature, 2>& features,
-                                                      const exact::Radii& radii, Names names, Foot foot) noexcept {
+std::optional<FixedClosest> FixedClosest::of_features(const std::array<PosedFeature, 2>& features, const Radii& radii,
+                                                      Names names, Foot foot) noexcept {
     const std::array<std::size_t, 2> counts{features[0].count, features[1].count};
-    const exact::FeatureKind kind = exact::features_of_counts(counts[0], counts[1]).kind;
+    const FeatureKind kind = features_of_counts(counts[0], counts[1]).kind;
     names.kind = static_cast<ClosestKind>(kind);
-    const int high = std::max(exact::exponent_above(radii.a), exact::exponent_above(radii.b));
-    const exact::SegmentEnds ends = ends_of(features, high);
-    std::optional<exact::ClosestOnSegments> at = exact::closest_on_segments(ends);
+    const int high = std::max(exponent_above(radii.a), exponent_above(radii.b));
+    const SegmentEnds ends = ends_of(features, high);
+    std::optional<ClosestOnSegments> at = closest_on_segments(ends);
     if (!at || !at->is_only) return std::nullopt;
-    const bool has_face = kind == exact::FeatureKind::vertex_face;
+    const bool has_face = kind == FeatureKind::vertex_face;
     for (const std::size_t side : {0, 1}) {
         if (at->features.corner_count(side) != (has_face ? 2 : counts[side])) return std::nullopt;
     }
-    const std::optional<exact::FixedVector> w = at->between();
+    const std::optional<FixedVector> w = at->between();
     if (!w || (has_face && foot == Foot::in_triangle && !is_in_triangle(*at))) return std::nullopt;
     if (has_face) move_to_features(*at, ends, counts[0] == 3 ? 0 : 1);
     return FixedClosest(*at, *w, ends.unit, radii, names);
@@ -75,11 +75,10 @@ FixedClosest FixedClosest::inverted() const noexcept {
 
 // All three numbers are below 2^(unit + 123).
 FixedClosest::Gap FixedClosest::gap() const noexcept {
-    using exact::fixed_number;
-    const int high = std::max({unit_ + w_.width(), exact::exponent_above(radii_.a), exact::exponent_above(radii_.b)});
+    const int high = std::max({unit_ + w_.width(), exponent_above(radii_.a), exponent_above(radii_.b)});
     const int unit = high - 123;
-    const exact::FixedNumber length = w_.length(unit_ - unit);
-    const exact::FixedNumber sum = fixed_number(radii_.a, unit) + fixed_number(radii_.b, unit);
+    const FixedNumber length = w_.length(unit_ - unit);
+    const FixedNumber sum = fixed_number(radii_.a, unit) + fixed_number(radii_.b, unit);
     return {is_inverted_ ? length + sum : length - sum, unit};
 }
 
@@ -96,9 +95,9 @@ std::optional<DistanceBounds> FixedClosest::distance_bounds() const noexcept {
     const double nearest = positive_part(*rounded);
     if (key_of(nearest) == 0) return DistanceBounds{0, 0};
     const auto [number, unit] = gap();
-    const exact::FixedNumber above = number - exact::fixed_number(nearest, unit);
+    const FixedNumber above = number - fixed_number(nearest, unit);
     if (above.value == 0 && above.error == 0) return DistanceBounds{nearest, nearest};
-    if (exact::size_of(above.value) <= above.error) return std::nullopt;
+    if (size_of(above.value) <= above.error) return std::nullopt;
     return above.value < 0 ? DistanceBounds{next_down(nearest), nearest} : DistanceBounds{nearest, next_up(nearest)};
 }
 
@@ -110,10 +109,10 @@ std::optional<ClosestPoints> FixedClosest::signed_closest() const noexcept {
     result.kind = names_.kind;
     result.a = names_.a;
     result.b = names_.b;
-    const exact::FixedRadius of_a(radii_.a, unit_), of_b(radii_.b, unit_);
+    const FixedRadius of_a(radii_.a, unit_), of_b(radii_.b, unit_);
     for (std::size_t k = 0; k < 3; ++k) {
-        const exact::FixedNumber n = w_.direction(k), a = of_a.times(n), b = of_b.times(n), p = at_.number(0, k),
-                                 q = at_.number(1, k);
+        const FixedNumber n = w_.direction(k), a = of_a.times(n), b = of_b.times(n), p = at_.number(0, k),
+                          q = at_.number(1, k);
         const auto x = (is_inverted_ ? p - a : p + a).rounded(unit_);
         const auto y = (is_inverted_ ? q + b : q - b).rounded(unit_);
         if (!x || !y) return std::nullopt;
@@ -126,7 +125,7 @@ std::optional<ClosestPoints> FixedClosest::signed_closest() const noexcept {
 std::optional<Vec3> FixedClosest::direction() const noexcept {
     Vec3 result;
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::optional<double> x = w_.direction(k).rounded(-exact::FixedVector::unit_digits);
+        const std::optional<double> x = w_.direction(k).rounded(-FixedVector::unit_digits);
         if (!x) return std::nullopt;
         result[static_cast<Eigen::Index>(k)] = *x;
     }
@@ -135,9 +134,9 @@ std::optional<Vec3> FixedClosest::direction() const noexcept {
 
 std::optional<Vec3> FixedClosest::middle() const noexcept {
     Vec3 result;
-    const exact::FixedRadius of_a(radii_.a, unit_), of_b(radii_.b, unit_);
+    const FixedRadius of_a(radii_.a, unit_), of_b(radii_.b, unit_);
     for (std::size_t k = 0; k < 3; ++k) {
-        const exact::FixedNumber n = w_.direction(k);
+        const FixedNumber n = w_.direction(k);
         const auto sum = (at_.number(0, k) + of_a.times(n)) + (at_.number(1, k) - of_b.times(n));
         const std::optional<double> x = sum.rounded(unit_ - 1);
         if (!x) return std::nullopt;
@@ -146,4 +145,4 @@ std::optional<Vec3> FixedClosest::middle() const noexcept {
     return result;
 }
 
-}  // namespace ecods::convex
+}  // namespace ecods::exact
