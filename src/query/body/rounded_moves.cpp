@@ -14,6 +14,7 @@
 #include "exact/point/posed_point.hpp"
 #include "exact/point/vectors.hpp"
 #include "geometry/same_bits.hpp"
+#include "query/body/motion_kinds.hpp"
 #include "query/body/rounded_pair.hpp"
 
 namespace ecods {
@@ -86,7 +87,8 @@ std::optional<ScaledLongVector> translation_of(const Posed<MeshShape>& core, con
 std::optional<ScaledLongVector> translation_of(const Posed<MeshShape>& core, const Motion& motion) {
     if (const auto* const by = std::get_if<Translation>(&motion)) return exact_vector(by->by);
     if (const auto* const straight = std::get_if<Straight>(&motion)) return translation_of(core, straight->to);
-    const Turn& turn = std::get<Turn>(motion);
+    if (nodes_of(motion) != nullptr) return std::nullopt;
+    const Turn turn = turn_of(motion);
     const ScaledLongVector from = exact_vector(turn.pivot_from), axis = exact_vector({turn.q.x, turn.q.y, turn.q.z});
     ScaledLongVector glide = exact::minus(exact_vector(turn.pivot_to), from);
     if (exact::is_zero(axis)) return glide;

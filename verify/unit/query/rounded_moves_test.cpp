@@ -179,6 +179,11 @@ TEST(RoundedMoves, WhatIsNoTranslationIsRefused) {
     EXPECT_EQ(cast(wheel, Motion(spin), other, Motion())->time, 4.0 / 6);
     EXPECT_EQ(cast(wheel, Motion(Turn{{0, 0, 0, 1}, Vec3(2, 0, 7), Vec3(8, 0, 7)}), other, Motion())->time, 4.0 / 6);
     refused([&] { return cast(wheel, Motion(orbit), other, Motion()); }, Question::cast_any_motion, round, round);
+    // Two nodes are a turn; more of them are no translation, not even if the center goes straight.
+    Along along{{{{1, 0, 0, 0}, spin.pivot_from}, {spin.q, spin.pivot_to}}};
+    EXPECT_EQ(cast(wheel, Motion(along), other, Motion()), cast(wheel, Motion(spin), other, Motion()));
+    along.nodes.push_back(along.nodes.back());
+    refused([&] { return cast(wheel, Motion(along), other, Motion()); }, Question::cast_any_motion, round, round);
     EXPECT_THROW(std::ignore = cast(wheel, Motion(spin), other, Motion(), -1), InvalidArgument);
     EXPECT_THROW(std::ignore = cast(wheel, Motion(Turn{{0, 0, 0, 0}, Vec3::Zero(), Vec3::Zero()}), other, Motion()),
                  InvalidArgument);
