@@ -179,14 +179,13 @@ struct ContactPoint {
                                                    const Posed<MeshShape>& b, const FirstContact& contact,
                                                    const Ask& ask = {});
 
-// Return the same of a contact that cast() of rounded bodies returned, a ball that falls on a floor, say. Let x and y
-// be the closest points of the cores at the contact's features at its exact time, and r and s the radii. The point is
-// (s x
-// + r y) / (r + s), on the segment from x to y: the one that both bodies share when they touch; at time 0 one that they
-// share, too. The normal is the unit vector from x to y. If cores share a point at time 0, the point is that of
-// closest(). Without radii, the answer is that of the cores. Errors are as above; NotSupported for every contact that
-// is not exactly the one that cast() returns for the two triangles. Cost: that of some pairs of features in integers,
-// about a tenth of a millisecond.
+// Return the point and the normal of a contact that cast() of rounded bodies returned: of a ball that falls on a floor,
+// for example. Let x and y be the closest points of the cores at the contact's features at its exact time, and r and s
+// the radii. The point is (s x + r y) / (r + s), on the segment from x to y: the one point that both bodies share when
+// they touch, or, at time 0, one of the points that they share. The normal is the unit vector from x to y. If cores
+// share a point at time 0, the point is that of closest(). Without radii, the answer is that of the cores. Throw
+// InvalidArgument; NotSupported for every contact that is not exactly the one that cast() returns for the two
+// triangles. Cost: that of some pairs of features in integers, about a tenth of a millisecond.
 [[nodiscard]] ECODS_API ContactPoint contact_point(const Posed<Rounded>& a, const Vec3& motion, const Posed<Rounded>& b,
                                                    const FirstContact& contact, const Ask& ask = {});
 [[nodiscard]] ECODS_API ContactPoint contact_point(const Posed<Rounded>& a, const Vec3& motion,

@@ -5,8 +5,9 @@
 //
 // Two-body questions take the body first and the half space second. A World takes a half space as the shape of a body,
 // and answers intersects, relation, distance, signed_distance, within, closest, casts and hits, and contact_patch of a
-// convex body (contact.hpp), in any order of the two. Rounded bodies (rounded.hpp) are supported, too. No question here
-// takes a body that turns: NotSupported, or no such function. Two half spaces have questions of their own, below.
+// convex body (contact.hpp), in any order of the two. Rounded bodies (rounded.hpp) are supported, too. A body that
+// turns (turn.hpp) has no cast against a half space: a World throws NotSupported, and two bodies have no such function.
+// Two half spaces have questions of their own, below.
 //
 // Answers are exact for the real points, and depend on the bits of meshes, poses and half spaces alone; numbers are as
 // in distance.hpp. A mesh, whatever its form, meets a half space if one of its vertices does, so surfaces and solids
@@ -124,9 +125,9 @@ class ECODS_API HalfSpace final : public Shape {
                                                          const Posed<HalfSpace>& half_space, double max_time = 1,
                                                          const Ask& ask = {});
 
-// Return the first contact of a body whose points move on straight lines between two poses (cast.hpp); of a rounded
-// body, of which the core's points do. The half space may be translated. If its matrix changes, even in the sign of a
-// zero, the calls throw NotSupported, with both kinds. Of several vertices that touch first, the first is given.
+// Return the first contact of a body whose points move on straight lines between two poses (cast.hpp), or of a rounded
+// body whose core moves like this. The half space may be translated. If its matrix changes, even in the sign of a zero,
+// the calls throw NotSupported, with both kinds. Of several vertices that touch first, the first is given.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<MeshShape>& body,
                                                          const Moving<HalfSpace>& half_space, double max_time = 1,
                                                          const Ask& ask = {});

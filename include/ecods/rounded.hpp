@@ -16,10 +16,9 @@
 // core. Numbers are rounded once (distance.hpp).
 //
 // This table has the questions about a rounded body and any mesh, solid or rounded body, in either order; a World asks
-// the same ones (world.hpp). In it, "convex" means that the core is a ConvexSolid, or a mesh of one triangle (a point, a
-// segment, a triangle). Whatever is not answered is refused: by NotSupported, with both kinds, or since there is no
-// such function. verify/unit/query/kinds_test has the table of all kinds of bodies, with half spaces, and a test holds
-// it.
+// the same ones (world.hpp). In it, "convex" means that the core is a ConvexSolid, or a mesh of one triangle (a point,
+// a segment, a triangle). A question that is not answered throws NotSupported, with both kinds, or there is no such
+// function. The table of all kinds of bodies, half spaces included, is tested in verify/unit/query/kinds_test.
 //
 //     intersects, distance, within, closest, distance_bounds     answered
 //     signed_distance                                            answered, unless the cores share a point and one is
@@ -35,7 +34,7 @@
 //                                                                other has no radius; otherwise, see relation()
 //     a World's lists, events, nearest, closest_pairs            answered; distances are signed if both are convex
 //     a World's casts and meetings of straight motions           answered, if all bodies are as above, near or far;
-//                                                                of turns, NotSupported
+//                                                                of turns, and meetings of translations, NotSupported
 //     a World's bodies_containing                                answered
 //     a World's depths                                           answered for convex bodies; others are left out
 //     a World's relations                                        as relation(): set_relations refuses other rounded
@@ -224,12 +223,13 @@ class ECODS_API Rounded final : public Shape {
                                                          const Ask& ask = {});
 
 // Return the first contact of two bodies that each move straight from one pose to another (cast.hpp), or in any way
-// (motion.hpp), if each of them is translated: its matrix stays, or its core is one point, which goes straight by any
-// matrices, and by a turn about an axis that it is on. One body is then translated beside the other, by an exact
-// vector, and the contact is as above. Without radii, it is that of the cores, which may move as these do. Throw
-// NotSupported, with both kinds, if a body has a radius and one of the two is not translated: the times at which
-// turning edges are at a distance are roots of polynomials of degree 6 and more. Throw InvalidArgument if a motion is
-// not valid, or max_time is negative or NaN. Cost: that of a cast by a translation.
+// (motion.hpp), if each of them is translated. A body is translated if its matrix stays; if its core is one point, and
+// it goes straight to any pose; or if its core is one point on the axis of its turn. One body is then translated beside
+// the other, by an exact vector, and the contact is as above. Without radii, the contact is that of the cores, with the
+// motions that the casts of meshes have. Throw NotSupported, with both kinds, if a body has a radius and one of the two
+// is not translated: the times at which turning edges are at a distance are roots of polynomials of degree 6 and more.
+// Throw InvalidArgument if a motion is not valid, or max_time is negative or NaN. Cost: that of a cast by a
+// translation.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<Rounded>& a, const Moving<Rounded>& b,
                                                          double max_time = 1, const Ask& ask = {});
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<Rounded>& a, const Moving<MeshShape>& b,

@@ -98,10 +98,10 @@ class ECODS_API World {
 
     // ---- the clearance, and relations
 
-    // Sets the greatest distance of close_pairs(); nullopt: no pair is close. The next update applies it, and reports
-    // the events of the change. Real distances are compared. (FCL: security margin; Bullet: contact breaking
-    // threshold.) Throws InvalidArgument if the distance is negative, NaN or infinite, and NotSupported if a test that
-    // bodies here need does not answer `within`; while it is set, so do create_body(), set_shape() and set_test().
+    // Sets the greatest distance of close_pairs(); nullopt: no pair is close. The next update applies it, with the
+    // events of the change. Real distances are compared. (FCL: security margin; Bullet: contact breaking threshold.)
+    // Throws InvalidArgument if the distance is negative, NaN or infinite; NotSupported if a test that bodies here need
+    // does not answer `within`. While a clearance is set, create_body(), set_shape() and set_test() throw it.
     void set_clearance(std::optional<double> clearance);
     std::optional<double> clearance() const;  // set last
 
@@ -128,9 +128,9 @@ class ECODS_API World {
 
     // ---- two-body tests
 
-    // Registers the test of two kinds, for either order of arguments (the world swaps them). Replaces an earlier test
-    // of these kinds, and forgets its verdicts. Meshes, rounded shapes and half spaces have tests from the start.
-    // Throws InvalidArgument for null.
+    // Registers the test of two kinds, for either order of arguments (the world swaps them), in place of an earlier one
+    // and its verdicts. Meshes, rounded shapes and half spaces have tests from the start. Throws InvalidArgument for
+    // null.
     void set_test(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test);
 
     // ---- answers for the whole world, as of the last update
@@ -255,9 +255,8 @@ class ECODS_API World {
     // apart. Throws SingularPose and InvalidArgument.
     [[nodiscard]] std::vector<BodyPatch> contact_patches(const PatchLimits& limits = {}, const Ask& ask = {}) const;
 
-    // Return the first hit, or all hits, of a segment or ray (hit.hpp) with the bodies, or with those that the filter
-    // may meet, in the order of BodyHit. Throw InvalidArgument, and NotSupported if the shape of any body here does not
-    // answer hits.
+    // Return the first hit, or all hits, of a segment or ray (hit.hpp) with the bodies that the filter, if any, may
+    // meet, in the order of BodyHit. Throw InvalidArgument; NotSupported if the shape of any body here has no hits.
     using Filter = std::optional<CollisionFilter>;
     [[nodiscard]] std::optional<BodyHit> first_hit(const Segment& line, Filter filter = {}, const Ask& ask = {}) const;
     [[nodiscard]] std::optional<BodyHit> first_hit(const Ray& line, Filter filter = {}, const Ask& ask = {}) const;
@@ -280,25 +279,25 @@ class ECODS_API World {
     // Suppose that the subject is translated by t * `motion` at each time t (cast.hpp), or moves in any way
     // (motion.hpp); nothing is moved. Return the body that it meets first, or nullopt if it meets none up to max_time.
     // A max_time above 1 counts as 1. Throw the errors of casts of two bodies. Need tests that answer Question::cast;
-    // for straight motions cast_moving; for turns cast_any_motion, as of the library's tests only those of meshes do.
+    // for straight motions cast_moving; for turns cast_any_motion, which the library has for meshes alone.
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Motion& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
-    // Returns the same for a mesh that deforms (deforming.hpp). Throws NotSupported if a body that the filter may meet
-    // is no mesh or solid. Not written to traces. Cost: BroadPhase::find, and the casts of two.
+    // Returns the first body that a deforming mesh (deforming.hpp) meets. Throws NotSupported if a body that the filter
+    // may meet is no mesh or solid. It is not traced. Cost: that of BroadPhase::find, and of the casts.
     [[nodiscard]] std::optional<BodyContact> cast(const Deforming& mesh, double max_time = 1, Filter filter = {},
                                                   const Ask& ask = {}) const;
 
     // Returns the first body within `distance` of the translated subject (cast_to_distance.hpp, with its errors).
-    // Throws NotSupported unless it and all bodies that it may meet are meshes or rounded bodies.
+    // Throws NotSupported unless the subject and all bodies that it may meet are meshes or rounded bodies.
     [[nodiscard]] std::optional<BodyContact> cast_to_distance(const Asked& subject, const Vec3& motion, double distance,
                                                               double max_time = 1, const Ask& ask = {}) const;
 
     // Returns the first body that the translated subject enters before max_time (cast.hpp, with its errors), by rounded
-    // times, then ids. Throws NotSupported unless it and all bodies that it may meet are surfaces, or all are solids
-    // with inner points.
+    // times, then ids. Throws NotSupported unless the subject and all bodies that it may meet are surfaces, or all are
+    // solids with inner points.
     [[nodiscard]] std::optional<BodyEntry> entering(const Asked& subject, const Vec3& motion, double max_time = 1,
                                                     const Ask& ask = {}) const;
 
@@ -319,11 +318,10 @@ class ECODS_API World {
 
     // Begins a trace: writes the present bodies and settings, then every call that succeeds. The trace ends at
     // end_trace(), at another trace_to(), or with the world; the stream must outlive it. Cost: the text, and a digest
-    // at each update. Throws NotSupported, and begins no trace, if the shape of a body cannot be written; while it
-    // runs, so do create_body() and set_shape(). If the stream fails, the trace ends; the world's calls still succeed.
+    // at each update. Throws NotSupported, and begins no trace, if the shape of a body cannot be written; create_body()
+    // and set_shape() throw it while a trace runs. If the stream fails, the trace ends; calls still succeed.
     void trace_to(std::ostream& out, TraceOptions options = {});
-
-    void end_trace();  // if there is a trace. Throws TraceFailed if a part of it could not be written
+    void end_trace();  // if there is one. Throws TraceFailed if a part of the trace could not be written
 
     // ---- inspection
 
@@ -335,9 +333,9 @@ class ECODS_API World {
     // Throws BrokenInvariant; ShapeChanged if a caller's shape has changed. Slow: for tests.
     void check_invariants() const;
 
-    // Returns a hash of the bodies (shapes, poses) and of the colliding pairs as of the last update; and of clearance
-    // and close pairs, and relations, if it had them. Equal scenes have equal digests, whatever their ids, history or
-    // broad phase are. A filter affects the digest only through the pairs that it removes.
+    // Returns a hash of the bodies (shapes, poses) and of the colliding pairs as of the last update, and of the
+    // clearance, the close pairs and the relations that this update had. Equal scenes have equal digests, whatever
+    // their ids, history or broad phase are. A filter affects the digest only through the pairs that it removes.
     std::uint64_t digest() const;
 
   private:
