@@ -1,5 +1,5 @@
-// A ShortList is a list of simple values. Up to N of them are stored in the object itself, more in memory that is
-// allocated.
+// A ShortList is a list of trivially copyable values. It is stored in the object itself until it has more than N
+// values, and in allocated memory from then on.
 #pragma once
 
 #include <algorithm>
@@ -62,7 +62,7 @@ class ShortList {
         if (size_ == capacity_) reserve(2 * capacity_);
         data()[size_++] = copy;
     }
-    // Makes the list `count` times the value.
+    // Sets the list to `count` copies of the value.
     void assign(std::size_t count, const T& value) {
         const T copy = value;
         size_ = 0;

@@ -17,8 +17,8 @@ class FirstMet {
   public:
     explicit FirstMet(double max_time) : least_(max_time) {}
 
-    // Offers a body: `ask(max_time)` returns the first event with it up to that time, or nullopt; it may also return
-    // one that is later. Returns the upper bound of the times of later bodies that may win.
+    // Offers a body: `ask(max_time)` returns the first event with the body up to that time, or nullopt; or an event
+    // that is later. Returns the upper bound of the times of later bodies that may win.
     template <class Function>
     double take(ProxyIndex proxy, const Function& ask) {
         const auto reach = least_.reach(proxy);

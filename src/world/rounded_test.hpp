@@ -13,7 +13,7 @@ void add_rounded_tests(TwoBodyTests& tests);
 
 // Returns a rounded shape or a mesh, of whatever form, as a core and a radius; nullopt for any other shape.
 std::optional<CoreAndRadius> core_and_radius(const Posed<Shape>& posed);
-// Returns the same; throws NotSupported, about a cast, for any other shape.
+// Returns the same core and radius; throws NotSupported, about a cast, for any other shape.
 CoreAndRadius require_core(const Posed<Shape>& posed);
 
 }  // namespace ecods

@@ -1,6 +1,6 @@
 // StraightMoves refuses the straight moves that rounded bodies have no cast of (rounded.hpp): one of two bodies has a
 // radius, and one of them is not translated. A refusal follows from the bodies and their moves alone, not from which
-// of them come near each other, whose boxes may be larger in other versions.
+// bodies come near each other, because boxes may differ between versions.
 #pragma once
 
 #include <compare>
@@ -25,7 +25,7 @@ class StraightMoves {
     void require_casts(const TwoBodyTests& tests) const;
 
   private:
-    // The bodies of a kind that have a radius or none, and are translated or not.
+    // A Group stands for the bodies of a kind that all have a radius or none, and are all translated or not.
     struct Group {
         ShapeKind kind;
         bool has_radius, is_turning;

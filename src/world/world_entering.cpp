@@ -43,7 +43,8 @@ std::optional<BodyEntry> World::entering(const Asked& asked, const Vec3& motion,
         });
     }
     Asking asking(ask);
-    // Asks up to max_time, which an entry must precede, and not up to the time of another entry, which it may tie with.
+    // Asks up to max_time and not up to the time of an earlier entry, because an entry precedes this limit, but may tie
+    // with the other one.
     first.visit(w, subject, w.box_of(subject), motion, [&](const Slot& slot, double) {
         return ecods::entering(mover, motion, mesh_at(slot.posed()), max_time, asking.memory());
     });

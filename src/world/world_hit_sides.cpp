@@ -28,7 +28,7 @@ Posed<MeshShape> mesh_at(const Slot& slot) {
     return {static_cast<const MeshShape&>(*slot.shape), slot.pose};
 }
 
-// Takes the order from all_hits(), in which the hits of each body are in their own order.
+// Returns the hits in the order of all_hits(), in which the hits of each body are in their own order.
 template <class SegmentOrRay>
 std::vector<BodySidedHit> find_sided(const World& world, const Bodies& bodies, const SegmentOrRay& line,
                                      const std::optional<CollisionFilter>& filter, QueryMemory& memory) {

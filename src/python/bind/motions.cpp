@@ -49,9 +49,9 @@ void bind_motions(py::module_& m) {
         "cast", asked_with_witness<PosedMesh, Motion, PosedMesh, Motion, double>(ECODS_QUESTION(cast)), py::arg("a"),
         py::arg("motion_of_a"), py::arg("b"), py::arg("motion_of_b"), py::arg("max_time") = 1.0,
         py::arg("witness") = py::none(),
-        "FirstContact of two bodies that each move by a Translation, a Straight, a Turn or Along nodes; None if there is "
-        "none up to max_time. Exact. Raises InvalidArgument; NotSupported where cast() of a turn does, and if one goes "
-        "Along nodes and the other one moves.");
+        "FirstContact of two bodies that each move by a Translation, a Straight, a Turn or Along nodes; None if there "
+        "is none up to max_time. Exact. Raises InvalidArgument; NotSupported where cast() of a turn does, and if one "
+        "goes Along nodes and the other one moves.");
 }
 
 }  // namespace ecods::python

@@ -120,8 +120,8 @@ void add_casts(WorldClass& type, const py::arg& what, const py::arg_v& filter) {
             return self.read([&](const World& world) { return world.cast(to_asked(subject, only), motion, most); });
         },
         what, py::arg("motion"), py::arg("max_time") = 1.0, filter,
-        "The same while it moves by a Translation, a Straight, a Turn or Along nodes. Raises NotSupported for a Turn and "
-        "nodes unless it and all that it may meet are meshes or Solids, and for a Straight if it or one of them is "
+        "The same while it moves by a Translation, a Straight, a Turn or Along nodes. Raises NotSupported for a Turn "
+        "and nodes unless it and all that it may meet are meshes or Solids, and for a Straight if it or one of them is "
         "rounded and one of the two is not translated.");
     type.def(
         "cast_to_distance",

@@ -1,4 +1,4 @@
-// A cast of a body along nodes is one along the way; the time follows from the leg and the time in it.
+// Casts a body along nodes as along a way; the time follows from the leg and the time in the leg.
 #include "query/body/cast_along.hpp"
 
 #include "base/double_key.hpp"

@@ -44,13 +44,13 @@ Turning<MeshShape> turning(const Posed<MeshShape>& body, const Motion& turn) {
     return {*body.what, body.pose, turn_of(turn)};
 }
 
-// `end` is the pose to which a body goes straight; null if it is translated.
+// Returns the move of a body that goes straight to the pose `end`, or is translated by the motion if `end` is null.
 StraightMove straight(const Posed<MeshShape>& body, const Pose* end, const Motion& motion) {
     if (end != nullptr) return {{*body.what, body.pose, *end}, {}};
     return {{*body.what, body.pose, body.pose}, std::get<Translation>(motion).by};
 }
 
-// Returns true if the nodes of a way are a Turn in everything.
+// Returns true if the nodes of a way are treated as a Turn (motion.hpp).
 bool is_turn(const std::vector<WayNode>& nodes) {
     return nodes.size() == 2 && nodes[0].q == Quaternion();
 }
@@ -115,8 +115,8 @@ std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Motion& motion
     kinds.require_casts();
     if (const auto* const nodes = nodes_of(motion_of_a)) return cast_along(a, *nodes, b, max_time, ask);
     if (const auto* const nodes = nodes_of(motion_of_b)) {
-        return cast_in_other_order(
-            ask, [&](const Ask& exchanged) { return cast_along(b, *nodes, a, max_time, exchanged); });
+        return cast_in_other_order(ask,
+                                   [&](const Ask& exchanged) { return cast_along(b, *nodes, a, max_time, exchanged); });
     }
     const Pose* const end_a = straight_end(a.pose, motion_of_a);
     const Pose* const end_b = straight_end(b.pose, motion_of_b);

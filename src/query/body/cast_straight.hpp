@@ -11,7 +11,7 @@
 
 namespace ecods {
 
-// Do what the casts of cast.hpp and turn.hpp do. Turn and poses must be valid.
+// These casts do what the casts of cast.hpp and turn.hpp do. Turn and poses must be valid.
 std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Moving<MeshShape>& b, double max_time,
                                  const Ask& ask);
 std::optional<FirstContact> cast(const StraightMove& a, const StraightMove& b, double max_time, const Ask& ask);

@@ -1,6 +1,7 @@
-// Casts rounded bodies that move from pose to pose, or in any way, if each of them is translated: the motion of one
-// beside the other is then a translation by an exact vector, which need not be one of doubles. For all other motions,
-// times at which cores are at a distance are roots of polynomials of degree 6 and more, which nothing here decides.
+// Casts rounded bodies that move from pose to pose, or in any way, if each of them is translated. The motion of one
+// relative to the other is then a translation by an exact vector, whose coordinates need not be doubles. For all other
+// motions, times at which cores are at a distance are roots of polynomials of degree 6 and more, which nothing here
+// decides.
 #include "query/body/rounded_moves.hpp"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Straight moves and turns of rounded bodies that are translations, as exact vectors.
+// Computes the exact vectors of those straight moves and turns of rounded bodies that are translations.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@
 namespace ecods {
 
 // Returns the vector by which a rounded body with this core is translated until it is at the pose `end`, or by the
-// motion; nullopt if it is not translated. A body is translated if its matrix stays. So is a ball, by any matrices:
-// its core is one point, which goes straight; and by a turn, if that point is on the axis. No way of several legs is a
-// translation. A translation of 0 is one.
+// motion; nullopt if it is not translated. A body is translated if its matrix stays. A ball, whose core is one point,
+// is also translated if it goes straight to any pose, or if the point is on the axis of its turn. The translation may
+// be 0. No way of several legs is a translation.
 std::optional<exact::ScaledLongVector> translation_of(const Posed<MeshShape>& core, const Pose& end);
 std::optional<exact::ScaledLongVector> translation_of(const Posed<MeshShape>& core, const Motion& motion);
 

@@ -45,8 +45,8 @@ struct RoundedPair {
     // Returns the first contact of bodies that move straight to these poses.
     std::optional<FirstContact> cast_straight(const Pose& end_a, const Pose& end_b, double max_time,
                                               const Ask& ask) const;
-    // Returns cast() for a motion that need not be a vector of doubles. `latest` must be from 0 to 1, and the sum of
-    // the radii and `distance` positive.
+    // Returns what cast() returns, for a motion that need not be a vector of doubles. `latest` must be from 0 to 1, and
+    // the sum of the radii and `distance` positive.
     std::optional<FirstContact> cast_along(const exact::ScaledLongVector& motion, double distance, double latest,
                                            const Ask& ask) const;
 

@@ -29,8 +29,8 @@ std::optional<SignedDistance> find_fixed(const RoundedPair& pair, const Ask& ask
 
 }  // namespace
 
-// Convex cores that share a point are asked about as convex solids. Those of which one is no solid, and which are
-// apart, name their features as triangles do.
+// Convex cores that share a point are asked about as convex solids. Cores that are apart, and of which one is no solid,
+// name their features as triangles do.
 SignedDistance RoundedPair::signed_distance(const Ask& ask) const {
     if (const auto found = find_fixed(*this, ask)) return *found;
     Asking asking(ask);

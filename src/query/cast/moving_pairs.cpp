@@ -37,8 +37,8 @@ exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
     return result;
 }
 
-// The corners at both ends of bodies of which some are translated: out of all corners at the start and at the pose at
-// the end, and the world's origin and both translations.
+// Returns the corners at both ends of bodies of which some are translated, from all corners at the start and at the
+// pose at the end, the world's origin and both translations.
 template <class Kernel>
 std::array<exact::LongVector3, 12> translated_corners(const exact::IntegerPoints<Kernel, 15>& points,
                                                       const std::array<const Vec3*, 2>& translations) {
@@ -117,7 +117,7 @@ std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::Movi
     return exact::bound_first_meeting(points, from, to, effort);
 }
 
-// A pose at the end that is rounded gives no integers: in its place stands that at the start.
+// A rounded pose at the end gives no integers: the pose at the start stands in its place.
 template <class Function>
 auto MovingPairs::ask_translated(const TrianglePair& triangles, Function& ask) {
     static const Pose world;

@@ -18,7 +18,7 @@ struct StraightBody {
     void bind(const MeshTree& tree, const Pose& at_start, const Pose& at_end, const Vec3& beside);
 
     TurningBody::Place place_at(double time) const { return {from->R * (1 - time) + to->R * time, time * way}; }
-    // True if places are bounded.
+    // Returns true if places are bounded.
     bool is_bounded() const noexcept { return size + end_size < 0x1p1000; }
     // Returns what 512 u' is multiplied with to bound the place at a time.
     double rounding(double time) const noexcept { return size + time * end_size; }
@@ -26,8 +26,8 @@ struct StraightBody {
     const Pose* from = nullptr;
     const Pose* to = nullptr;
     Vec3 way = Vec3::Zero();
-    Vec3 half = Vec3::Zero();  // half the size of a box around the body at either end
-    double least = 0;          // about the length of such a vector where the body is smaller
+    Vec3 half = Vec3::Zero();  // half the sizes of a box around the body, the larger of both ends
+    double least = 0;          // half the diagonal of that box at the end where it is smaller
     double size = 0;           // sum of the magnitudes of the body at the start, and of the vector to the other one
     double end_size = 0;       // sum of the magnitudes of the body at the end, and of the way
 };

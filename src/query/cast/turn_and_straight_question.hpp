@@ -9,7 +9,7 @@
 
 namespace ecods {
 
-// A turn and a straight motion, for MeetingQuestion.
+// TurnAndStraightMotion is a turn and a straight motion, for MeetingQuestion.
 //
 // In a piece every point of the body that turns is within a margin of a straight motion, at the same time of the piece
 // (both_turning_points.hpp). Points of the other body are on one.

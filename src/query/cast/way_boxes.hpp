@@ -1,11 +1,12 @@
 // WayBoxes computes boxes that contain a body on the legs of a way, from a box that contains it at the start. They
 // serve to leave out bodies; no answer follows from a box.
 //
-// Bound. A body is rigid, so each of its points keeps its distance from the pivot. That distance is convex, so at the
-// start it is the greatest at a corner of the box: at most |h|, with h the greatest |p - c| on each axis. The
-// differences are off by u' of themselves, and the length as computed by less than 8 u'. Squares that are lost are
-// below 2^-1021, so a length is off by less than 2^-508 besides; 2^-500 is added. On a leg the pivot is between its two
-// places, and the box of these, wider by the radius on each side and rounded outwards, contains the body.
+// Bound. A body is rigid, so each of its points keeps its distance from the pivot. The distance is a convex function of
+// the point, so at the start it is greatest at a corner of the box: at most |h|, with h the greatest |p - c| on each
+// axis. The differences are off by u' of themselves, and the length as computed by less than 8 u'. Squares that are
+// lost are below 2^-1021, so a length is off by less than 2^-508 besides; 2^-500 is added. On a leg the pivot is
+// between its two places, and the box of these, wider by the radius on each side and rounded outwards, contains the
+// body.
 // Claim: verify/proofs/turn_pieces.md
 #pragma once
 

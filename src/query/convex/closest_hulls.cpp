@@ -62,8 +62,9 @@ std::optional<FixedClosest> convex::find_fixed(const PosedHulls& hulls, const Cl
                                      names_of(hulls, {closest.part(hulls, 0), closest.part(hulls, 1)}));
 }
 
-// A face's parallelogram is that of a corner and its two neighbors. A foot is in the triangle, if the face is one; in
-// the first of these, if the face is a parallelogram; and otherwise in one of few.
+// Tries the parallelograms that corners of the face make with their two neighbors, until one contains the foot
+// (FixedClosest::Foot). The first one contains all feet if the face is a triangle or a parallelogram; otherwise few are
+// tried.
 std::optional<FixedClosest> convex::find_fixed(const PosedHulls& hulls, const HullFeaturePair& parts,
                                                const exact::Radii& radii) {
     constexpr std::size_t tries_max = 4;

@@ -1,11 +1,9 @@
-// Chooses, by the rule of ClosestPoints, which pair of features is named if several pairs are at exactly the least
-// distance.
+// Chooses, by the rule of ClosestPoints, the pair of features that is named if several are at the least distance.
 //
 // All pairs of closest points of two convex sets differ by the same vector, so they are on the features of the two
 // solids that are extreme along this vector. The candidates are these two features, and the edges and vertices of their
-// boundaries. If the sets meet, the vector is that of the shortest translation: let n be the normal of the depth. The
-// features that are extreme along n are in two planes perpendicular to n, whose distance is the depth. So two of their
-// points differ by the vector if their distance is the depth; otherwise they are further apart.
+// boundaries. If the sets meet, the vector is that of the shortest translation, along the normal of the depth. The two
+// features are in planes across the normal, whose distance is the depth; points at this distance differ by the vector.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -93,8 +91,7 @@ class Naming {
         ECODS_ASSERT(!pairs.empty());
     }
 
-    // Finds the first pair of features: tries the kinds of pairs in the order of the rule. The first kind that has a
-    // pair at the least distance decides.
+    // Finds the first pair: tries the kinds of pairs in the order of the rule, until one has a pair.
     Parts find() {
         try_vertices();
         if (has_best_) return best_;
@@ -159,8 +156,7 @@ class Naming {
     FeatureNames names_of(const Parts& parts) const noexcept {
         return {ClosestKind{}, name_of(hulls_.hull(0), parts[0]), name_of(hulls_.hull(1), parts[1])};
     }
-    // Returns true if `parts` must be tested: if all pairs are listed, if there is no best_ yet, or if `parts` precede
-    // best_, which is of the same kind.
+    // Returns true if `parts` must be tested: all pairs are listed, or no best_ of the same kind precedes `parts`.
     bool is_wanted(const Parts& parts) const noexcept {
         return pairs_ != nullptr || !has_best_ || rank(names_of(parts)) < rank(names_of(best_));
     }
@@ -195,8 +191,7 @@ class Naming {
                is_placed_on(1, planar_.next(1, j), i);
     }
 
-    // Returns true if `parts`, of which none is a face, have exactly the least distance, and their closest points are
-    // in their interiors.
+    // Returns true if `parts`, none of them a face, have exactly the least distance, in the interiors of both.
     bool holds(const Parts& parts) {
         if (way_) return are_on_way(hulls_, parts, *way_, planar_.dropped_axis());
         if (!least_) least_ = square_of(hulls_, *of_);
@@ -218,8 +213,7 @@ class Naming {
                                  hulls_.fixed({0, planar_.vertex(0, i).index}));
     }
 
-    // Returns true if the vertex projects to a point inside the face: seen along the normal, it is left of all the
-    // face's sides. Exact.
+    // Returns true if the vertex projects into the face: seen along the normal, it is left of all sides. Exact.
     bool is_over(const Parts& parts) {
         constexpr std::size_t at_once = 7;
         const std::size_t of = parts[0].kind == Kind::face ? 0 : 1;
@@ -325,8 +319,7 @@ LeastDifference least_of_deepest(PosedHulls& hulls, const HullFeaturePair& extre
     return {extreme, features_of(hulls, extreme), normal, true, is_zero};
 }
 
-// The difference is taken as zero, because flat solids may touch in parallel edges, which have no distance of their
-// own.
+// Zero is not measured, because flat solids may touch in parallel edges, which have no distance of their own.
 exact::SquaredDistance square_of(PosedHulls& hulls, const LeastDifference& least) {
     return least.is_zero ? exact::SquaredDistance() : square_of(hulls, least.found);
 }

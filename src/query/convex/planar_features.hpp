@@ -45,7 +45,7 @@ class PlanarFeatures {
     }
     std::size_t next(std::size_t side, std::size_t i) const noexcept { return i + 1 == vertex_count(side) ? 0 : i + 1; }
 
-    // Calls visit(i, j) for all vertices i of the first polygon and j of the second, except such that are certainly
+    // Calls visit(i, j) for all vertices i of the first polygon and j of the second, unless the two are certainly
     // apart.
     template <class Visit>
     void visit_meeting(Visit&& visit) const {
@@ -56,8 +56,8 @@ class PlanarFeatures {
             }
         }
     }
-    // Calls visit(i, j) for all vertices i of polygon `side` and edges j of the other polygon, except such where the
-    // vertex is certainly not on the edge. Goes on with the next vertex if visit() returns true.
+    // Calls visit(i, j) for all vertices i of polygon `side` and edges j of the other polygon, unless the vertex is
+    // certainly not on the edge. Goes on with the next vertex if visit() returns true.
     template <class Visit>
     void visit_on_edges(std::size_t side, Visit&& visit) const {
         for (std::size_t i = 0; i < vertex_count(side); ++i) {
@@ -88,17 +88,17 @@ class PlanarFeatures {
 
   private:
     static constexpr std::size_t short_size = 32;
-    // The sides of the other polygon's edges on which a vertex is, as bits: the line of an edge counts if the side is
-    // not certain.
+    // These bits say on which sides of the other polygon's edges a vertex is; on_line is set if one side is not
+    // certain.
     static constexpr std::uint8_t on_line = 1, on_left = 2, on_right = 4, on_both = on_left | on_right;
 
-    // The vertices of a polygon, counterclockwise or clockwise, with the edges that begin at them.
+    // A Projected holds the vertices of a polygon, counterclockwise or clockwise, with the edges that begin at them.
     struct Projected {
         ShortList<Hull::Neighbor, short_size> at;
         ShortList<double, short_size> x, y;
         ShortList<std::uint8_t, short_size> sides;
-        // The side of edge i on which vertex j of the other polygon is, as a sign; 0 if it is not certain. At [i m +
-        // j], for m vertices of the other polygon.
+        // `signs` has, at [i m + j], the side of edge i on which vertex j of the other polygon is, as a sign; 0 if the
+        // side is not certain. The other polygon has m vertices.
         ShortList<std::int8_t, 8 * short_size> signs;
     };
 

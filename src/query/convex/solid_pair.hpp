@@ -45,9 +45,10 @@ double distance_beyond(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
 bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Limit& limit, QueryMemory& memory,
             PairWitness& witness);
 
-// Returns the same for a limit >= 0, which may be infinity. Tries first if the solids are further apart along `axis`,
-// which may be any vector; zero stands for the direction between their centers. If it answers false after a search,
-// sets `axis` to the direction from the first solid to the second, along which they are as far apart as they are.
+// Returns the same for a limit >= 0, which may be infinity. Tries first whether the solids are further apart along
+// `axis`, which may be any vector; zero stands for the direction between their centers. If it answers false after a
+// search, sets `axis` to the direction from the first solid's closest point to the second's, along which their gap is
+// their distance.
 bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit, QueryMemory& memory,
             PairWitness& witness, Vec3& axis);
 

@@ -47,7 +47,8 @@ struct TimeBounds {
     double low, high;
 };
 
-// A corner that reaches the height c first, and when: as a quotient for c = 0, otherwise as a sum with a root.
+// A FirstCorner is a corner that reaches the height c first, and its time: a quotient for c = 0, otherwise a sum with a
+// root.
 struct FirstCorner {
     Corner corner;
     std::optional<Quotient> quotient;

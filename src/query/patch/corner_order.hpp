@@ -33,8 +33,8 @@ class Turn {
     ~Turn() = default;
 };
 
-// Puts the corners, which are all of the intersection, in counterclockwise order around the normal. The one at `first`
-// becomes the first.
+// Puts the corners, which are all of the intersection, in counterclockwise order around the normal. The corner at
+// `first` becomes the first one.
 void order_around(const Polygons& polygons, std::size_t first, convex::LeastPairs& corners, const Turn& turn);
 
 }  // namespace ecods::patches

@@ -27,16 +27,16 @@ class FixedCorners {
     bool round(const convex::HullFeaturePair& pair, PatchCorner& corner) const;
     // Returns w in units of fixed points (posed_hulls.hpp), if it is known exactly.
     std::optional<exact::IntegerVector> way() const noexcept;
-    // Returns the least difference less the radii; minus a depth. Returns nullopt if its rounding is not certain.
+    // Returns the least difference less the radii, as a signed distance; nullopt if its rounding is not certain.
     std::optional<double> distance() const noexcept;
 
   private:
-    // A posed vertex in the world, in units of 2^unit_, and the error bound of each coordinate.
+    // A WorldPoint is a posed vertex in units of 2^unit_, with the error bound of each coordinate.
     struct WorldPoint {
         exact::IntegerVector x;
         std::uint64_t error;
     };
-    // The coordinates of both points of a corner, and of their sum.
+    // Coordinates are those of both points of a corner, and of their sum.
     struct Coordinates {
         std::array<exact::FixedNumber, 3> a, b, sum;
     };

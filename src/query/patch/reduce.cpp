@@ -58,7 +58,7 @@ class Triangles {
     std::size_t size() const noexcept { return at_.size(); }
 
     double area(std::size_t i, std::size_t j) const noexcept { return dot(normal_, cross(at_[i], at_[j])); }
-    // Compares two sums of areas: 0 if doubles do not decide.
+    // Returns the sign of the difference x - y of two sums of areas; 0 if doubles do not decide.
     int compare(double x, double y) const noexcept { return x - y > of_sums_ ? 1 : y - x > of_sums_ ? -1 : 0; }
     Quotient exact_area(std::size_t i, std::size_t j) const {
         const Long &x = at(i), &y = at(j);
@@ -114,7 +114,7 @@ class Triangles {
     mutable std::optional<ScaledLongVector> long_normal_;
 };
 
-// The best choice of some points that ends at some point: its area, and the point before.
+// A Link is the best choice of some number of points that ends at some point: its area, and the point before the last.
 struct Link {
     double area = 0;
     std::size_t before = 0;

@@ -25,7 +25,7 @@ namespace {
     throw NotSupported("contact_point: the contact is not the first one of these bodies and this motion");
 }
 
-// Throws unless both features are of the meshes.
+// Throws NotSupported unless both features are of the meshes.
 void require_features(const RoundedPair& bodies, const FirstContact& contact) {
     const auto is_of = [](const Feature& feature, const Posed<MeshShape>& core) {
         return feature.kind != Feature::Kind::none && feature.corner < 3 &&
@@ -49,7 +49,7 @@ std::array<exact::ScaledLongVector, 6> corners_of(const RoundedPair& bodies, con
     return corners;
 }
 
-// Returns the exact time of the contact. Throws unless the triangles that it names have this contact.
+// Returns the exact time of the contact. Throws NotSupported unless the triangles that the contact names have it.
 exact::RootSum time_of(const exact::RoundedContact& triangles, const FirstContact& contact) {
     auto times = triangles.interval();
     if (!times || key_of(times->first.rounded) != key_of(contact.time)) refuse();

@@ -6,8 +6,8 @@
 
 namespace ecods {
 
-// Returns the point and the normal of a contact that RoundedPair::cast(motion, 0, ...) returned. Without radii, that of
-// the cores. Throws the errors of contact_point().
+// Returns the point and the normal of a contact that RoundedPair::cast(motion, 0, ...) returned. Without radii, the
+// answer is that of the cores. Throws the errors of contact_point().
 ContactPoint contact_point(const RoundedPair& bodies, const Vec3& motion, const FirstContact& contact, const Ask& ask);
 
 }  // namespace ecods

@@ -13,7 +13,7 @@ namespace {
 
 const Vec3 ahead(2, 0, 0);
 
-// A function of two bodies, in the form that std::invocable tells if there is one.
+// FUNCTION makes a function of two bodies that std::invocable accepts only if the call in it exists.
 #define FUNCTION(...)                                     \
     [=](const auto& a, const auto& b) requires requires { \
         __VA_ARGS__;                                      \

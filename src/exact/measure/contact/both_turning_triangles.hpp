@@ -15,20 +15,21 @@
 //     volume of two edges              E . M' + E' . M
 //     turn of a corner about an edge   E' x A - N M'
 //
-// Of a triangle whose corners go straight, A is of degree 1, and N = 1: E = A_j - A_i is of degree 1, M = E x A and the
-// normal F = E_0 x E_1 of degree 2, and D = F . A of degree 3. Beside a turn, of which A, M and D are of degree 3, N, E
-// and F of degree 2, the same formulas then give
+// A triangle whose corners go straight has N = 1, A and E = A_j - A_i of degree 1, M = E x A and the normal F = E_0 x
+// E_1 of degree 2, and D = F . A of degree 3. A triangle that turns has A, M and D of degree 3, and N, E and F of
+// degree 2. With one of each, the same formulas give
 //     difference of corners                            degree 3
 //     volume of a straight corner and a turning face   degree 3
 //     volume of a turning corner and a straight face   degree 5
 //     volume of two edges                              degree 4
 //     turn of a corner about an edge                   degree 3 if the edge turns, 4 if the corner does
 //
-// Width. Let coordinates be at most 2^n, and 1 and all parts of the quaternion at most 2^m, in their units.
-// Coefficients are then at most: of N 2^(2m + 3), and of a turned vector of at most 2^k, N g + ..., 2^(2m + k + 5). So,
-// beside a straight triangle: of A' 2^(2m + n + 6), E' 2^(2m + n + 6), M' 2^(2m + 2n + 10), F' 2^(2m + 2n + 8) and D'
-// 2^(2m + 3n + 13); of E 2^(n + 2), M and F 2^(2n + 5), and D 2^(3n + 9). Sums of products of three coordinates and
-// three coefficients at most give 2^(2m + 3n + 16) for volumes. Integers have as many limbs as that takes.
+// Width. Let coordinates be at most 2^n, and 1 and all parts of the quaternion at most 2^m, in their units. Upper
+// bounds of coefficients are then 2^(2m + 3) for N, and 2^(2m + k + 5) for the turned vector N g + ... of a vector of
+// at most 2^k. If the triangle with primes turns and the other one goes straight, they are 2^(2m + n + 6) for A' and
+// E', 2^(2m + 2n + 10) for M', 2^(2m + 2n + 8) for F', 2^(2m + 3n + 13) for D', 2^(n + 2) for E, 2^(2n + 5) for M and
+// F, and 2^(3n + 9) for D. Sums of products of three coordinates and three coefficients at most give 2^(2m + 3n + 16)
+// for volumes. Integers have as many limbs as that takes.
 #pragma once
 
 #include <array>

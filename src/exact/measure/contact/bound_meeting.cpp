@@ -125,7 +125,7 @@ class Turned {
     TurningCorners corners_;
 };
 
-// Two motions that are both compared with straight ones at the same time.
+// AtOneTime is a pair of motions that are each near a straight one at the same time.
 template <class Corners>
 class AtOneTime {
   public:

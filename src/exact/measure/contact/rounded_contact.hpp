@@ -55,8 +55,9 @@ class RoundedContact {
     struct Place {
         Vec3 point, normal;
     };
-    // Returns nullopt if the features are parallel, or an edge has no length. The normal is that of a segment of length
-    // p; otherwise only the point has a meaning. radius_a must be from 0 to p.
+    // Returns where the features of f are closest at the time; nullopt if they are parallel, or an edge has no length.
+    // The normal is right if the segment has the length p; otherwise only the point has a meaning. radius_a must be
+    // from 0 to p.
     std::optional<Place> place(const FeaturePair& f, const RootSum& time, const ScaledInteger& radius_a) const;
 
   private:

@@ -11,7 +11,7 @@
 // The point is x + (r / p) D = y - ((p - r) / p) D, with the radius r of A. A vertex of A is x = a + s m; a vertex of B
 // is y = b. Of two edges, y = b + t v for the edge v of B: W + D is a multiple of u plus t v, and n x u is
 // perpendicular to u and D, so N t = W . (n x u). All of these are linear in s, and s is a sum of a fraction and a
-// root: so each coordinate is one, too.
+// root, so each coordinate is such a sum, too.
 #include "exact/measure/contact/rounded_contact.hpp"
 #include "exact/measure/round/round_root_sum.hpp"
 #include "exact/point/vectors.hpp"
@@ -19,7 +19,7 @@
 namespace ecods::exact {
 namespace {
 
-// A vector that is a linear function of time: slope * time + begin.
+// A LinearVector is a linear function of time: slope * time + begin.
 struct LinearVector {
     ScaledLongVector slope, begin;
 

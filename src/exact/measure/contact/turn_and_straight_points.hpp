@@ -10,8 +10,8 @@
 //     1.125 s e_q + 32 u' s |q|
 // is added to that bound, and also covers its own rounding.
 //
-// Pieces. A straight motion is near itself: only the triangle that turns adds a margin, as one of two that turn
-// (both_turning_points.hpp), which compares motions at the same time.
+// Pieces. The triangle that moves straight has no margin. The one that turns has the margin of one of two triangles
+// that turn (both_turning_points.hpp), since motions are compared at the same time.
 // Claim: verify/proofs/turn_pieces.md
 #pragma once
 
@@ -29,7 +29,7 @@ struct TurnAndStraightPoints {
     double end_error;
 };
 
-// The last three of six corners, which move straight.
+// StraightSide is the triangle of the last three of six corners, which move straight.
 class StraightSide {
   public:
     // Takes the corners at time 0 and 1. scale() must follow.
@@ -43,7 +43,7 @@ class StraightSide {
             size_ = std::max({size_, largest(end_[i]), largest(ways_[i])});
         }
     }
-    // All do what those of TurningSide do.
+    // The next functions do what the functions of the same names of TurningSide do.
     ECODS_ALWAYS_INLINE double largest_given() const noexcept { return largest_given_; }
     ECODS_ALWAYS_INLINE double size() const noexcept { return size_; }
     ECODS_ALWAYS_INLINE static bool is_bounded() noexcept { return true; }
@@ -60,8 +60,8 @@ class StraightSide {
     }
     ECODS_ALWAYS_INLINE double way(double span) const noexcept { return 1.0625 * span * way_ + TurningSide::underflow; }
 
-    // Sets the last three corners to their places at a time, in place of those at time 0, and adds to the factors of
-    // the error bound of gaps what is there because they move.
+    // Sets the last three corners to their places at a time, in place of those at time 0, and adds the terms of their
+    // motion to the factors of the error bound of gaps.
     ECODS_ALWAYS_INLINE void go(double time, Points<6>& points, Point& error) const noexcept {
         const double rest = 1 - time;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -101,7 +101,7 @@ class TurnAndStraightCorners {
         return result;
     }
 
-    // Both do what those of BothTurningCorners do.
+    // Both functions do what those of the same names of BothTurningCorners do.
     ECODS_ALWAYS_INLINE Point margins(const At& from, const At& to) const noexcept {
         return turning_.lags(turning_.angles().piece(from.half, to.half));
     }

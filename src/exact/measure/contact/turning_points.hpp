@@ -67,7 +67,7 @@ class TurningSide {
     }
     ECODS_ALWAYS_INLINE double size() const noexcept { return std::max(largest(turn_.glide), arm_); }
     ECODS_ALWAYS_INLINE const TurnAngles& angles() const noexcept { return *turn_.angles; }
-    // True if the error bounds hold for the turn.
+    // Returns true if the error bounds hold for the turn.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return angles().is_bounded(); }
 
     // Multiplies all lengths by a power of two. `start_error` is the error bound of the scaled corners.

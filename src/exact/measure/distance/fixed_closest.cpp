@@ -17,8 +17,8 @@ SegmentRef segment_of(const PosedFeature& feature) noexcept {
     return {feature.pose, feature.corners[0], feature.corners[feature.count == 1 ? 0 : 1]};
 }
 
-// The closest points of two vertices or edges are those of segments; those of a vertex and a face are so, too
-// (exact/point/segment_ends.hpp).
+// Returns two segments whose closest points give those of the features: for vertices and edges, the features; for a
+// vertex and a face, see exact/point/segment_ends.hpp.
 SegmentEnds ends_of(const std::array<PosedFeature, 2>& features, int high) noexcept {
     for (const std::size_t side : {0, 1}) {
         if (features[side].count != 3) continue;
@@ -28,7 +28,8 @@ SegmentEnds ends_of(const std::array<PosedFeature, 2>& features, int high) noexc
     return {segment_of(features[0]), segment_of(features[1]), high};
 }
 
-// Takes the points of the segments of a vertex and a face for those of the two features: the vertex, and its foot.
+// Replaces the closest points of the segments of a vertex and a face by those of the two features: the vertex, and its
+// foot.
 void move_to_features(ClosestOnSegments& at, const SegmentEnds& ends, std::size_t of_face) noexcept {
     const std::size_t of_vertex = 1 - of_face;
     const auto w = difference(at.point[of_face], at.point[of_vertex]);

@@ -1,5 +1,5 @@
-// Answers questions about the closest points of two features in fixed precision, where that decides each answer: about
-// as fast as in doubles, and the same answers as those of exact arithmetic.
+// Answers questions about the closest points of two features in fixed precision, where this decides each answer. The
+// answers are those of exact arithmetic, and are found about as fast as in doubles.
 #pragma once
 
 #include <array>
@@ -25,7 +25,8 @@ struct PosedFeature {
 
 class FixedClosest {
   public:
-    // A foot on a face may be known to be inside the face, or must be shown to be inside the triangle of its corners.
+    // A Foot says where the foot of a vertex is: in the face, which is known, or in the triangle of the face's three
+    // corners, which of_features() must show.
     enum class Foot : std::uint8_t { in_triangle, in_face };
 
     // Names the features that contain the closest points.
@@ -41,8 +42,8 @@ class FixedClosest {
     static std::optional<FixedClosest> of_features(const std::array<PosedFeature, 2>& features, const Radii& radii,
                                                    Names names, Foot foot = Foot::in_triangle) noexcept;
 
-    // Returns the same points for bodies that share them along the vector between the points: radii then move the
-    // points away from each other, and add to the distance, which is a depth.
+    // Returns the closest points of two bodies whose cores overlap by the vector between the points. Radii then move
+    // the points away from each other, and are added to the distance, which is a depth.
     FixedClosest inverted() const noexcept;
 
     FixedClosest(const ClosestOnSegments& at, const FixedVector& w, int unit, const Radii& radii,
@@ -57,10 +58,10 @@ class FixedClosest {
     std::optional<DistanceBounds> distance_bounds() const noexcept;
     // Returns the unit vector from the first feature's closest point to the second's.
     std::optional<Vec3> direction() const noexcept;
-    // Returns the middle of the two closest points.
+    // Returns the middle of the two closest points, unless they are inverted().
     std::optional<Vec3> middle() const noexcept;
 
-    // True if no other points of the features are as close.
+    // Returns true if no other points of the features are as close.
     bool is_only() const noexcept { return at_.is_only; }
     const Names& names() const noexcept { return names_; }
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int divisor_digits = 126, coarse_digits = 60, fine_digits = FixedParameter::digits - coarse_digits;
 
-// A number of up to 126 digits with an error bound, below 2^80.
+// A Factor is a number of up to 126 digits with an error bound below 2^80.
 struct Factor {
     Int128 value;
     Uint128 error;

@@ -9,7 +9,7 @@
 
 namespace ecods::exact {
 
-// A parameter along an edge, 0 at its begin and 1 at its end, in units of 2^-digits.
+// A FixedParameter is a parameter along an edge, 0 at its beginning and 1 at its end, in units of 2^-digits.
 struct FixedParameter {
     static constexpr int digits = 105;
 
@@ -21,8 +21,8 @@ struct FixedParameter {
 };
 
 // Returns the parameter on u at which the edges p + s u and q + r v cross, where 0 <= s <= 1 is known. d is q - p,
-// below 2^123 and off by less than 2^60; coordinates of u and v are as in FixedParameter. Returns nullopt if it may be
-// far off, as for edges that are nearly parallel.
+// below 2^123 and off by less than 2^60; coordinates of u and v are as in FixedParameter. Returns nullopt if the
+// parameter may be far off, as for edges that are nearly parallel.
 std::optional<FixedParameter> find_crossing(const std::array<FixedNumber, 2>& d, const std::array<Int128, 2>& u,
                                             const std::array<Int128, 2>& v, std::uint64_t error) noexcept;
 

@@ -52,7 +52,7 @@ FixedNumber times(const FixedNumber& n, const FixedNumber& x) noexcept {
     return {value, x.error + 2 * (x.error >> 62) + of_n + 5};
 }
 
-// Sets the unit vector; false if it is off by too much.
+// Sets the unit vector; returns false if its error bound is too large.
 bool FixedShift::set_direction(const std::optional<FixedVector>& along) noexcept {
     if (!along) return false;
     bool is_known = true;

@@ -1,5 +1,5 @@
 // A FixedShift is the shortest vector from one flat feature to another, parallel one, in fixed precision: from a point
-// to a point or a line, or between two parallel planes. It also has the unit vector along which it is, and its length.
+// to a point or a line, or between two parallel planes. It also has its unit vector and its length.
 #pragma once
 
 #include <array>
