@@ -101,7 +101,7 @@ struct ContactPatch {
 // half spaces; SingularPose; InvalidArgument for limits that are not allowed. Cost: that of distance() or depth(), one
 // or two microseconds, and some tenths for each corner; some tens of microseconds where tilted features replace others,
 // and some microseconds for each corner on a half space. To leave corners out by max_corners takes time with the square
-// of their number: for 30, some tens of microseconds. (Coal: computeContactPatch.)
+// of their number: for 30, some tens of microseconds, or some hundred if many areas are nearly equal. (Coal: computeContactPatch.)
 [[nodiscard]] ECODS_API ContactPatch contact_patch(const Posed<Shape>& a, const Posed<Shape>& b,
                                                    const PatchLimits& limits = {}, const Ask& ask = {});
 

@@ -71,8 +71,8 @@ namespace ecods {
                                                          double max_time = 1, const Ask& ask = {});
 
 // Returns the first contact of two bodies that each move in any way, as the casts above and those of cast.hpp do; a
-// straight motion may also be beside a turn or a translation. If b turns and a does not, and several pairs of features
-// tie, the first is chosen as if b came first. Throws the errors of the casts above, and NotSupported for nodes of a
+// straight motion may also be beside a turn or a translation. If b turns or goes along nodes and a does not, and several
+// pairs of features tie, the first is chosen as if b came first. Throws the errors of the casts above, and NotSupported for nodes of a
 // way (Along) beside a body that moves. Cost: that of the cast of these motions. A straight motion beside a turn takes
 // about as long as two turns; beside a translation, or for two translations, as long as two straight motions.
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Motion& motion_of_a,

@@ -134,6 +134,9 @@ class Bodies {
         return std::ranges::all_of(kind_counts_,
                                    [&](const auto& each) { return each.second == 0 || is_allowed(each.first); });
     }
+    bool are_meshes() const {
+        return have_kinds([](ShapeKind kind) { return kind == ShapeKind::mesh(); });
+    }
 
     // Returns the least kind that has a living body whose shape does not answer Question::hits; nullopt if all shapes
     // answer it. Cost: constant if all answer it, otherwise one pass over the slots.

@@ -12,7 +12,7 @@ std::optional<BodyContact> World::cast(const Deforming& mesh, double max_time, s
     const Impl& w = impl();
     const Subject subject{Posed<Shape>(*mesh.shape(), Pose()), std::nullopt, filter};
     FirstBodyMet first(require_time(max_time));
-    if (!w.bodies.have_kinds([](ShapeKind kind) { return kind == ShapeKind::mesh(); })) {
+    if (!w.bodies.are_meshes()) {
         w.for_each_asked(subject, [](const Slot& slot) {
             if (slot.kind != ShapeKind::mesh()) {
                 throw NotSupported(Question::cast_moving, ShapeKind::mesh(), slot.kind);

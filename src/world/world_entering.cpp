@@ -24,7 +24,7 @@ bool has_inside_to_enter(const Posed<MeshShape>& mesh) {
 
 // Returns true if all bodies are surfaces. Cost: a pass over the kinds.
 bool are_surfaces(const Bodies& bodies) {
-    return bodies.have_kinds([](ShapeKind kind) { return kind == ShapeKind::mesh(); }) && bodies.solid_count() == 0;
+    return bodies.are_meshes() && bodies.solid_count() == 0;
 }
 
 }  // namespace

@@ -19,8 +19,7 @@ namespace {
 // (are_solids_surfaces), lines met solids as surfaces, so their hits have no sides there.
 template <class Impl>
 void require_meshes(const Impl& world, const char* question) {
-    const auto is_mesh = [](ShapeKind kind) { return kind == ShapeKind::mesh(); };
-    if (!world.are_solids_surfaces && world.bodies.have_kinds(is_mesh)) return;
+    if (!world.are_solids_surfaces && world.bodies.are_meshes()) return;
     throw NotSupported(std::string(question) + ": the shapes of all bodies must be meshes or solids");
 }
 

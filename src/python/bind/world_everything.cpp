@@ -91,8 +91,8 @@ void add_meetings(WorldClass& type) {
         },
         py::arg("bodies"), py::arg("motions"),
         "All pairs that meet while each of these bodies (k,) moves by its Translation, Straight, Turn or Along, in a "
-        "list, and the others stay: a list of Meeting, by time. Raises NotSupported if one is Straight and another one "
-        "is not, or one goes Along nodes and another one moves, StaleBody, InvalidArgument.");
+        "list, and the others stay: a list of Meeting, by time. Raises NotSupported if one goes Along nodes and "
+        "another one moves, StaleBody, InvalidArgument.");
     type.def(
         "meetings",
         [](const SharedWorld& self, const py::object& bodies, const py::object& poses) {

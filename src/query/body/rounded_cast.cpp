@@ -1,7 +1,6 @@
 // Answers casts of rounded bodies, and casts to a distance. Let p be the sum of the radii and of the distance in
 // question. Bodies that are further apart at the start come to this distance when their cores first come to the
 // distance p. Since p > 0, the cores are then apart, and closest to each other on their boundaries.
-#include <cstdint>
 #include <limits>
 
 #include "base/double_key.hpp"
@@ -9,6 +8,7 @@
 #include "ecods/cast.hpp"
 #include "ecods/cast_to_distance.hpp"
 #include "ecods/rounded.hpp"
+#include "exact/measure/round/long_rounding.hpp"
 #include "exact/measure/round/squared_distance.hpp"
 #include "exact/point/posed_point.hpp"
 #include "geometry/find_invalid.hpp"
@@ -40,19 +40,11 @@ std::optional<FirstContact> first_by(double latest, const std::vector<NearTimes>
     return FirstContact{best->interval.first.rounded, best->first.kind, best->first.a, best->first.b};
 }
 
-// Returns the vector with each coordinate rounded once.
-Vec3 round_vector(const exact::ScaledLongVector& v) {
-    const auto round = [](const exact::ScaledInteger& x) {
-        return exact::round_quotient(x.m().limbs(), exact::Integer(std::int64_t{1}).limbs(), x.e(), x.sign() < 0);
-    };
-    return {round(v[0]), round(v[1]), round(v[2])};
-}
-
 std::optional<FirstContact> cast_boundaries(const Posed<MeshShape>& a, const exact::ScaledLongVector& motion,
                                             const Posed<MeshShape>& b, const exact::ExactSum& p, double latest,
                                             QueryMemory& memory) {
     if (exact::is_zero(motion)) return std::nullopt;
-    const Vec3 rounded_motion = round_vector(motion);
+    const Vec3 rounded_motion = exact::round_point(motion, exact::ScaledInteger(1.0));
     const NearWay near(a, rounded_motion, b, p, memory);
     RoundedWay way(a, motion, b, p);
     std::optional<FirstContact> contact;

@@ -8,13 +8,9 @@ namespace {
 using exact::Int256;
 using exact::IntegerVector;
 
-Int256 product_of(const IntegerVector& a, const IntegerVector& b) noexcept {
-    return (exact::multiply(a[0], b[0]) + exact::multiply(a[1], b[1])) + exact::multiply(a[2], b[2]);
-}
-
 // Returns true if the point at z, relative to the beginning of the edge u, is inside the edge.
 bool is_inside(const IntegerVector& z, const IntegerVector& u) noexcept {
-    const Int256 along = product_of(z, u);
+    const Int256 along = exact::dot_of(z, u);
     return exact::bit_width(exact::cross(z, u)) == 0 && exact::sign(along) > 0 &&
            exact::sign(exact::square_of(u) - along) > 0;
 }

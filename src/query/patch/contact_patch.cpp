@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -84,17 +83,6 @@ std::optional<ContactPatch> find_fixed(const Posed<Shape>& a, const Posed<Shape>
     return patch;
 }
 
-// Exchanges the bodies of a patch with a half space. The first corner remains the first, since a half space has only
-// one feature.
-void exchange(ContactPatch& patch) {
-    for (double& x : patch.normal) x = opposite(x);
-    for (PatchCorner& corner : patch.corners) {
-        std::swap(corner.point_a, corner.point_b);
-        std::swap(corner.a, corner.b);
-    }
-    if (patch.corners.size() > 2) std::reverse(patch.corners.begin() + 1, patch.corners.end());
-}
-
 }  // namespace
 
 patches::ConvexBody::ConvexBody(const Posed<Shape>& posed, int argument)
@@ -116,11 +104,7 @@ ContactPatch contact_patch(const Posed<Shape>& a, const Posed<Shape>& b, const P
     if (plane_b != nullptr) {
         return patches::patch_on_plane(patches::ConvexBody(a, 0), {*plane_b, b.pose}, 1, limits);
     }
-    if (plane_a != nullptr) {
-        ContactPatch patch = patches::patch_on_plane(patches::ConvexBody(b, 1), {*plane_a, a.pose}, 0, limits);
-        exchange(patch);
-        return patch;
-    }
+    if (plane_a != nullptr) return patches::patch_on_plane(patches::ConvexBody(b, 1), {*plane_a, a.pose}, 0, limits);
     if (auto patch = find_fixed(a, b, limits)) {
         asking.witness() = {0, 0};
         return *std::move(patch);

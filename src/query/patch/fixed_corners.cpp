@@ -42,7 +42,7 @@ bool FixedCorners::bind() {
     if (high < -2000) return false;  // all numbers are zero
     unit_ = high - digits;
     up_ = hulls_->fixed_unit() - unit_;
-    if (up_ > 120) return false;
+    if (up_ > (is_exact ? 120 : 15)) return false;
     if (!is_exact) error_ = (std::uint64_t{exact::IntegerFrame::error_units} << std::max(up_, 0)) + 1;
     if (error_ >> 18 != 0) return false;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -39,6 +39,7 @@ class PlanePatch {
           heights_(plane_, pose_),
           hull_(ConvexSolidAccess::hull(*body.core.what), body.core.what->mesh(), pose_,
                 is_mirrored(pose_, 1 - argument)),
+          is_plane_first_(argument == 0),
           reach_(exact::Radii{body.radius, 0}),
           limits_(limits) {
         const half_spaces::Plane::Exact& exact = plane_.exact();
@@ -66,11 +67,25 @@ class PlanePatch {
             added.b = half_spaces::plane_feature;
             points.push_back(exact.at[0]);
         }
+        if (is_plane_first_) exchange(patch, points);
         keep_corners(patch, limits_.max_corners, ListedCorners(points, normal_.n));
         return patch;
     }
 
   private:
+    // Exchanges the bodies of a patch. The first corner remains the first, since a half space has only one feature.
+    void exchange(ContactPatch& patch, std::vector<LongPoint>& points) {
+        for (double& x : patch.normal) x = opposite(x);
+        for (ScaledInteger& x : normal_.n) x = -x;
+        for (PatchCorner& corner : patch.corners) {
+            std::swap(corner.point_a, corner.point_b);
+            std::swap(corner.a, corner.b);
+        }
+        if (points.empty()) return;
+        std::reverse(patch.corners.begin() + 1, patch.corners.end());
+        std::reverse(points.begin() + 1, points.end());
+    }
+
     // Returns the sign of (height of vertex x) - (height of vertex y).
     int compare_heights(std::uint32_t x, std::uint32_t y) const {
         const HeightBounds a = heights_.bounds(hull_.vertex(x)), b = heights_.bounds(hull_.vertex(y));
@@ -121,6 +136,7 @@ class PlanePatch {
     half_spaces::Plane plane_;
     half_spaces::Heights heights_;
     HullInSpace hull_;
+    bool is_plane_first_;
     Reach reach_;
     const PatchLimits& limits_;
     ExactNormal normal_;

@@ -7,8 +7,8 @@
 
 namespace ecods::patches {
 
-// Returns the patch, with the body as the first and the half space as the second one; the limits must be valid.
-// `argument` is the number of the half space in the caller's question, so that a SingularPose names the right body.
+// Returns the patch of both bodies in the caller's order; the limits must be valid. `argument` is the number of the half
+// space in the caller's question, 0 or 1.
 ContactPatch patch_on_plane(const ConvexBody& body, const Posed<HalfSpace>& half_space, int argument,
                             const PatchLimits& limits);
 

@@ -27,7 +27,7 @@ class ExactCorners {
 //
 // The polygon from the first point c over points i < j < ... has the sum of the areas of triangles (c, i, j), (c, j,
 // ...). So the best choice of k points that ends at j is the best one of k - 1 points that ends at some i < j, and (c,
-// i, j). Cost for m points: m^2 areas, and `count` m^2 sums and comparisons, most of which doubles decide.
+// i, j). Cost for m points: `count` m^2 areas, sums and comparisons, most of which doubles decide.
 std::vector<std::size_t> choose_corners(const std::vector<Vec3>& points, const Vec3& normal, const ExactCorners& exact,
                                         std::size_t count);
 

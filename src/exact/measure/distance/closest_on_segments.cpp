@@ -74,10 +74,6 @@ Int128 times(Int128 u, std::int64_t s, int digits) noexcept {
     return digits > 64 ? (high + (low >> 64)) >> (digits - 64) : (high << (64 - digits)) + (low >> digits);
 }
 
-Int256 dot_of(const IntegerVector& a, const IntegerVector& b) noexcept {
-    return (multiply(a[0], b[0]) + multiply(a[1], b[1])) + multiply(a[2], b[2]);
-}
-
 bool is_zero(const IntegerVector& v) noexcept {
     return (v[0] | v[1] | v[2]) == 0;
 }

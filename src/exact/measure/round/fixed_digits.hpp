@@ -73,9 +73,12 @@ inline IntegerVector shifted(const WideVector& v, int shift) noexcept {
     return {shifted(v[0], shift), shifted(v[1], shift), shifted(v[2], shift)};
 }
 
+inline Int256 dot_of(const IntegerVector& a, const IntegerVector& b) noexcept {
+    return (multiply(a[0], b[0]) + multiply(a[1], b[1])) + multiply(a[2], b[2]);
+}
 // Returns the squared length of v.
 inline Int256 square_of(const IntegerVector& v) noexcept {
-    return (multiply(v[0], v[0]) + multiply(v[1], v[1])) + multiply(v[2], v[2]);
+    return dot_of(v, v);
 }
 
 // Returns 2^252 / sqrt(s) with a relative error of at most 2^-94. s must be in [2^250, 2^254), like the squared length
