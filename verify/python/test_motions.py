@@ -163,8 +163,10 @@ def test_meetings_in_a_world():
 def test_meetings_that_are_refused():
     world = ecods.World()
     first, second = world.create_body(POINT), world.create_body(TARGET)
+    assert world.meetings([first, second], [HALF, ecods.Straight(at(1))]) == []
+    along = ecods.Along([ecods.WayNode((1, 0, 0, 0)), ecods.WayNode((0, 0, 0, 1)), ecods.WayNode((-1, 0, 0, 0))])
     with pytest.raises(ecods.NotSupported):
-        world.meetings([first, second], [HALF, ecods.Straight(at(1))])
+        world.meetings([first, second], [along, ecods.Straight(at(1))])
     with pytest.raises(ecods.InvalidArgument) as caught:
         world.meetings([first, second], [HALF])
     assert caught.value.argument == ecods.Argument.list_length
