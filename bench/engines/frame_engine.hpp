@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "ecods/statistics.hpp"
+#include "ecods/world_options.hpp"
 
 namespace ecods::bench {
 

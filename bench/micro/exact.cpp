@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 #include "scenes/ship.hpp"

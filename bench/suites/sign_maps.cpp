@@ -7,7 +7,7 @@
 #include <fstream>
 #include <utility>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/point/point.hpp"
 #include "exact/sign/plain_signs.hpp"
 #include "process/program.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "harness/statistics.hpp"
 #include "harness/stopwatch.hpp"
 #include "oracle/oracle.hpp"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/point/point.hpp"
 #include "exact/point/vertex_cache.hpp"
 #include "exact/sign/plain_signs.hpp"

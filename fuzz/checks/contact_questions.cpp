@@ -12,9 +12,7 @@
 #include <vector>
 
 #include "ecods/cast.hpp"
-#include "ecods/cast_to_distance.hpp"
 #include "ecods/contact.hpp"
-#include "ecods/deforming.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"
 #include "fuzz/checks/truth.hpp"

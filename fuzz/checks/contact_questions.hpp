@@ -1,4 +1,4 @@
-// The questions of cast.hpp, contact.hpp, cast_to_distance.hpp and deforming.hpp about two bodies of a world that are
+// Asks the questions of cast.hpp and contact.hpp about two bodies of a world that are
 // meshes, of which one is translated: when it enters the other one, where both first touch, and when they are first
 // within a distance.
 #pragma once

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ecods/ids.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/world.hpp"
 #include "judge/text.hpp"
 

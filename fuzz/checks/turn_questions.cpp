@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "ecods/turn.hpp"
-#include "ecods/way.hpp"
 #include "fuzz/checks/truth.hpp"
 #include "fuzz/checks/way_bodies.hpp"
 #include "fuzz/checks/way_questions.hpp"

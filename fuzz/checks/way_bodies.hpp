@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ecods/deforming.hpp"
+#include "ecods/cast.hpp"
 #include "ecods/world.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/text.hpp"

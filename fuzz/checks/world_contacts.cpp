@@ -8,7 +8,6 @@
 
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
-#include "ecods/deforming.hpp"
 #include "fuzz/base/failure.hpp"
 #include "fuzz/checks/contact_questions.hpp"
 #include "fuzz/checks/text.hpp"

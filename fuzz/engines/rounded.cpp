@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::fuzz {
 namespace {

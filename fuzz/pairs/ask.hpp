@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ecods/mesh.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "environment/float_mode.hpp"
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/hard_pairs.hpp"

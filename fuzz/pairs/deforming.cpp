@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/deforming.hpp"
+#include "ecods/cast.hpp"
 #include "fuzz/pairs/case_run.hpp"
 #include "judge/cast_truth.hpp"
 #include "judge/text.hpp"

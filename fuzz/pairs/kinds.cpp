@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "environment/float_mode.hpp"
 #include "fuzz/pairs/campaigns.hpp"
 #include "judge/mixed_bodies.hpp"

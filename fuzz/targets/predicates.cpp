@@ -1,5 +1,5 @@
 // Signs of determinants against rational numbers.
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 #include <gmpxx.h>
 

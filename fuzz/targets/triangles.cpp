@@ -1,5 +1,5 @@
 // How two posed triangles meet, against the oracle.
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "fuzz/targets/bytes.hpp"
 #include "fuzz/targets/require.hpp"
 #include "oracle/oracle.hpp"

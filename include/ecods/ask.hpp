@@ -97,7 +97,7 @@ struct QueryCounts {
 // largest question needed, and is then reused without allocation. It holds no answer: a question gives the same answer
 // with a new memory. Only one question at a time may use it. A question that is asked while another one runs needs a
 // memory of its own; the one exception is a two-body test, which passes on the memory that a World gives it
-// (two_body_test.hpp).
+// (shape.hpp).
 class ECODS_API QueryMemory {
   public:
     QueryMemory();

@@ -24,7 +24,7 @@
 
 #include "ecods/export.hpp"
 #include "ecods/pose.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {

@@ -19,15 +19,21 @@
 // Example: verify/examples/how_do_i, cast_on_its_way().
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "ecods/ask.hpp"
 #include "ecods/export.hpp"
+#include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
 
 namespace ecods {
+
+class Rounded;  // rounded.hpp
 
 // Bodies are as in intersection.hpp. If a part of one is inside the other at the start, the first contact is at time 0.
 
@@ -100,5 +106,108 @@ struct BodyEntry {
 // is not finite, or the time not from 0 to 1. Cost: some calls of relation(), at most 54.
 [[nodiscard]] ECODS_API std::optional<Pose> pose_before(const Posed<MeshShape>& a, const Vec3& motion,
                                                         const Posed<MeshShape>& b, double time, const Ask& ask = {});
+
+// ---- casts to a distance
+
+// cast_to_distance() finds when a translated body is first within a distance of another one. (Parry: target_distance of
+// cast_shapes; Box2D: a time of impact with a target.) No World is needed.
+//
+//     if (auto contact = cast_to_distance({drone, pose_a}, motion, {house, pose_b}, 0.5)) contact->time
+//
+// The time is the least real time from 0 on at which the distance of the bodies is at most `distance`, decided for real
+// numbers and rounded once (distance.hpp says how): a body that comes to exactly that distance, or passes at it, is
+// found. A positive time is at least 2^-1074, so the time is 0 exactly if the bodies are within the distance at the
+// start. Bodies that share a point, and a body inside a solid, have the distance 0. With the distance 0, the answer is
+// that of cast().
+//
+// Kind and features are those of the closest points at the time, by the rule of FirstContact: they name where the
+// bodies are closest. At time 0 they are those of closest(). Of rounded bodies they are those of the cores.
+//
+// Everything is defined for all finite poses and motions and for zero-area triangles. Bodies and threads are as in
+// intersection.hpp. Only translations are answered: there is no cast_to_distance of a straight motion between two poses
+// or of a turn. World::cast_to_distance() asks about all bodies of a World.
+//
+// Method: the question is a cast of rounded bodies whose radii add up to the distance (rounded.hpp).
+//
+// Example: verify/examples/how_do_i, stop_at_a_distance().
+
+// Return when a, translated by time times `motion`, is first within `distance` of b, which stays; nullopt if it is not
+// up to max_time, in real time. Of rounded bodies it is the distance of their surfaces: the radii and `distance` are
+// added exactly. Start from a witness. Throw InvalidArgument if the distance is negative, NaN or infinite, a coordinate
+// of the motion is not finite, or max_time is negative or NaN. A max_time above 1 counts as 1. Cost: that of a cast of
+// rounded bodies; with the distance 0 and no radii, that of cast().
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast_to_distance(const Posed<MeshShape>& a, const Vec3& motion,
+                                                                     const Posed<MeshShape>& b, double distance,
+                                                                     double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast_to_distance(const Posed<Rounded>& a, const Vec3& motion,
+                                                                     const Posed<Rounded>& b, double distance,
+                                                                     double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast_to_distance(const Posed<Rounded>& a, const Vec3& motion,
+                                                                     const Posed<MeshShape>& b, double distance,
+                                                                     double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast_to_distance(const Posed<MeshShape>& a, const Vec3& motion,
+                                                                     const Posed<Rounded>& b, double distance,
+                                                                     double max_time = 1, const Ask& ask = {});
+
+// ---- meshes that deform
+
+// A Deforming mesh has other vertices at time 1 than at time 0: cloth, skin, soft bodies, the steps of a simulation.
+// Casts of it find when it first shares a point with another body. (Continuous collision detection of vertices and
+// faces, edges and edges: Provot 1997; Brochu, Edwards and Bridson 2012.) No World is needed.
+//
+//     const Deforming cloth(shape, vertices_at_the_end);
+//     if (auto contact = cast(cloth, {floor, Pose()})) contact->time, contact->a, contact->b
+//
+// At a time s from 0 to 1, each vertex is at the real point (1 - s) v0 + s v1, in the coordinates of the world, and
+// each triangle is the one that its vertices then span: so the mesh may stretch, fold, become flat or turn inside out.
+// The mesh is a surface, also if its shape is a solid; a body that it is inside of, or that is inside of it, is met as
+// intersects() says of a surface. All else is as in cast.hpp: contact at time 0 and at the last time counts, and so
+// does grazing; the time is the least real time, rounded once; everything is defined for zero-area triangles and for
+// meshes that become flat; and equal input gives equal bits. A vertex alone is a triangle {i, i, i} and an edge alone a
+// triangle {i, j, j}.
+//
+// Contacts of a mesh with itself are not found, nor is there a cast of a deforming mesh with a body that turns, with a
+// rounded body or with a half space. World::cast() takes a deforming mesh against the bodies of a World, at rest.
+//
+// Example: verify/examples/how_do_i, cast_a_cloth().
+// Example: verify/examples/how_do_i, cast_a_cloth_in_a_world().
+
+// A Deforming is immutable. Copies share their data, and several threads may ask about one at the same time.
+class ECODS_API Deforming {
+  public:
+    // Takes the mesh of the shape at time 0, and the place of each of its vertices at time 1. For a step that goes on
+    // from this one, pass refit(shape, vertices) as the shape. Throws InvalidArgument for a null shape; InvalidMesh for
+    // a coordinate that is not finite, and if there are too few vertices; further vertices are ignored. Cost: the tree
+    // of the shape if it has none yet, and some passes over the triangles.
+    Deforming(std::shared_ptr<const MeshShape> shape, std::vector<Vec3> vertices_at_end);
+
+    const std::shared_ptr<const MeshShape>& shape() const noexcept;  // at time 0
+    const Mesh& mesh_at_end() const noexcept;                        // at time 1
+    const Aabb& box() const noexcept;  // the least box that contains all triangles at all times
+
+  private:
+    friend struct DeformingAccess;
+    struct ECODS_HIDDEN Parts;
+    std::shared_ptr<const Parts> parts_;
+};
+
+// Return the first contact of a deforming mesh with a body at rest, a body that moves from one pose to another
+//, or another deforming mesh, in either order; nullopt if there is none up to max_time. If a part of one
+// body is inside a solid at the start, the first contact is at time 0. Start from a witness, and leave the triangles
+// that decided. Throw InvalidArgument if max_time is negative or NaN; a max_time above 1 counts as 1.
+//
+// Cost: that of cast() of moving bodies, as long as triangles that are near each other at time 0 stay near each other:
+// the tree of boxes is that of time 0, with boxes at both ends of the motion. Meshes above 2^200 or below 2^-200 cost
+// much more.
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Deforming& a, const Posed<MeshShape>& b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Posed<MeshShape>& a, const Deforming& b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Deforming& a, const Moving<MeshShape>& b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Moving<MeshShape>& a, const Deforming& b,
+                                                         double max_time = 1, const Ask& ask = {});
+[[nodiscard]] ECODS_API std::optional<FirstContact> cast(const Deforming& a, const Deforming& b, double max_time = 1,
+                                                         const Ask& ask = {});
 
 }  // namespace ecods

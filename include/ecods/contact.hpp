@@ -42,7 +42,7 @@
 #include "ecods/results.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/shape.hpp"
-#include "ecods/way.hpp"
+#include "ecods/turn.hpp"
 
 namespace ecods {
 
@@ -101,7 +101,8 @@ struct ContactPatch {
 // half spaces; SingularPose; InvalidArgument for limits that are not allowed. Cost: that of distance() or depth(), one
 // or two microseconds, and some tenths for each corner; some tens of microseconds where tilted features replace others,
 // and some microseconds for each corner on a half space. To leave corners out by max_corners takes time with the square
-// of their number: for 30, some tens of microseconds, or some hundred if many areas are nearly equal. (Coal: computeContactPatch.)
+// of their number: for 30, some tens of microseconds, or some hundred if many areas are nearly equal. (Coal:
+// computeContactPatch.)
 [[nodiscard]] ECODS_API ContactPatch contact_patch(const Posed<Shape>& a, const Posed<Shape>& b,
                                                    const PatchLimits& limits = {}, const Ask& ask = {});
 
@@ -195,8 +196,8 @@ struct ContactPoint {
                                                    const Posed<Rounded>& b, const FirstContact& contact,
                                                    const Ask& ask = {});
 
-// Return the point and the normal of a contact that cast() of a turning body (turn.hpp, way.hpp), or of two bodies that
-// move from pose to pose, returned. The time is the exact one, before it was rounded. For a vertex and a face the
+// Return the point and the normal of a contact that cast() of a turning body (turn.hpp, turn.hpp), or of two bodies
+// that move from pose to pose, returned. The time is the exact one, before it was rounded. For a vertex and a face the
 // normal is the face's at that time, to the side from which the vertex comes; for two edges it is their cross product
 // then, to the side from which they come: the limit, as time goes up to the contact, of the direction from one feature
 // to the other. For a vertex and an edge, and for two vertices, it is empty: the direction in which such features come

@@ -20,10 +20,10 @@
 //     find penetration, separation?                         signed_distance, depth, depth_bounds; within
 //     get contact points and normals?                       contact_patch (convex); intersections, close_features
 //     move a joint, turn a door, rigidly?                   about, between; cast of turning bodies (turn.hpp)
-//     move several bodies at once?                          World::meetings; Motion (motion.hpp)
+//     move several bodies at once?                          World::meetings; Motion (pose.hpp)
 //     stop at a distance, land without touching?            cast_to_distance; entering, pose_before (cast.hpp)
-//     cast cloth, or a mesh that bends?                     Deforming (deforming.hpp)
-//     have a ground, a wall?                                HalfSpace (half_space.hpp)
+//     cast cloth, or a mesh that bends?                     Deforming (cast.hpp)
+//     have a ground, a wall?                                HalfSpace (solid.hpp)
 //     find what is inside what?                             relation; World::relations, bodies_containing
 //     ignore pairs?                                         CollisionFilter, World::set_pair_enabled
 //     keep a margin around bodies?                          rounded (rounded.hpp); World::set_clearance, close_pairs
@@ -41,36 +41,27 @@
 #pragma once
 
 // clang-format off
-#include "ecods/mesh.hpp"             // triangle meshes
-#include "ecods/pose.hpp"             // where bodies are, and how they move
-#include "ecods/motion.hpp"           // the motion of a body, of any kind
-#include "ecods/shape.hpp"            // shapes: meshes, solids, convex solids, and the caller's own
-#include "ecods/builders.hpp"         // boxes, prisms, polytopes around curved bodies, height fields, clouds
-#include "ecods/primitives.hpp"       // boxes, segments, rays, balls
-#include "ecods/intersection.hpp"     // do two bodies meet, and where?
-#include "ecods/distance.hpp"         // how far are they from each other, and where?
-#include "ecods/rounded.hpp"          // spheres, capsules, and margins around bodies
-#include "ecods/hit.hpp"              // what does a segment or a ray hit?
-#include "ecods/cast.hpp"             // when does a body on the move first meet another?
-#include "ecods/turn.hpp"             // when does a body that turns first meet another?
-#include "ecods/way.hpp"              // when does a body that turns from node to node first meet another?
-#include "ecods/deforming.hpp"        // when does a mesh that deforms first meet another?
-#include "ecods/cast_to_distance.hpp" // when is a moving body first within a distance of another?
-#include "ecods/solid.hpp"            // what is inside what, and how deep?
-#include "ecods/half_space.hpp"       // a ground, a wall
-#include "ecods/contact.hpp"          // where do two convex bodies touch, and in which corners?
-#include "ecods/results.hpp"          // the answers to all these
-#include "ecods/ask.hpp"              // memory, witness and counts of a question
-#include "ecods/world.hpp"            // many moving bodies
-#include "ecods/world_options.hpp"    // options of worlds, bodies and traces; subjects of questions
-#include "ecods/statistics.hpp"       // the work of a world, as counts
-#include "ecods/ids.hpp"              // names of bodies and pairs; filters
-#include "ecods/error.hpp"            // what can go wrong
-#include "ecods/trace.hpp"            // a record of every call that changed a world, and how it is run again
-#include "ecods/certificate.hpp"      // an answer with a proof that others can check
-#include "ecods/two_body_test.hpp"    // tests for shapes of the caller's own
-#include "ecods/predicates.hpp"       // exact signs, and how two triangles meet
-#include "ecods/broad_phase.hpp"      // which boxes overlap
-#include "ecods/instruction_set.hpp"  // which of the processor's instructions are used
-#include "ecods/export.hpp"           // the version; which names are the interface
+#include "ecods/mesh.hpp"           // triangle meshes
+#include "ecods/pose.hpp"           // where bodies are, and how they move
+#include "ecods/shape.hpp"          // shapes: meshes, solids, convex solids, and the caller's own with their tests
+#include "ecods/builders.hpp"       // boxes, prisms, polytopes around curved bodies, height fields, clouds
+#include "ecods/primitives.hpp"     // boxes, segments, rays, balls; exact signs, and how two triangles meet
+#include "ecods/intersection.hpp"   // do two bodies meet, and where?
+#include "ecods/distance.hpp"       // how far are they from each other, and where?
+#include "ecods/rounded.hpp"        // spheres, capsules, and margins around bodies
+#include "ecods/hit.hpp"            // what does a segment or a ray hit?
+#include "ecods/cast.hpp"           // when does a body on the move first meet another, or come near it?
+#include "ecods/turn.hpp"           // when does a body that turns, once or from node to node, first meet another?
+#include "ecods/solid.hpp"          // what is inside what, and how deep? a ground, a wall
+#include "ecods/contact.hpp"        // where do two convex bodies touch, and in which corners?
+#include "ecods/results.hpp"        // the answers to all these
+#include "ecods/ask.hpp"            // memory, witness and counts of a question
+#include "ecods/world.hpp"          // many moving bodies
+#include "ecods/world_options.hpp"  // options of worlds, bodies and traces; subjects of questions; counts
+#include "ecods/ids.hpp"            // names of bodies and pairs; filters
+#include "ecods/error.hpp"          // what can go wrong
+#include "ecods/trace.hpp"          // a record of every call that changed a world, and how it is run again
+#include "ecods/certificate.hpp"    // an answer with a proof that others can check
+#include "ecods/broad_phase.hpp"    // which boxes overlap
+#include "ecods/export.hpp"         // the version; instruction sets; which names are the interface
 // clang-format on

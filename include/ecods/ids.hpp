@@ -72,7 +72,7 @@ enum class Question : std::uint8_t {
 };
 
 // A ShapeKind is the kind of a shape, by which a World selects the test for two bodies. Kind 0 is the triangle mesh;
-// the three greatest kinds are rounded shapes (rounded.hpp) and half spaces (half_space.hpp); the caller defines all
+// the three greatest kinds are rounded shapes (rounded.hpp) and half spaces (solid.hpp); the caller defines all
 // other values.
 struct ShapeKind {
     std::uint32_t value = 0;

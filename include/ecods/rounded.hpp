@@ -40,7 +40,7 @@
 //     a World's relations                                        as relation(): set_relations refuses other rounded
 //                                                                bodies
 //     traces                                                     written and read
-//     with a half space                                          half_space.hpp
+//     with a half space                                          solid.hpp
 //     certificates, of two bodies and of a World                 no such function; NotSupported
 //     triangles, close_features, entering, depth_along           no such function; NotSupported by a World
 //
@@ -64,7 +64,6 @@
 #include "ecods/ask.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/export.hpp"
-#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
@@ -223,7 +222,7 @@ class ECODS_API Rounded final : public Shape {
                                                          const Ask& ask = {});
 
 // Return the first contact of two bodies that each move straight from one pose to another (cast.hpp), or in any way
-// (motion.hpp), if each of them is translated. A body is translated if its matrix stays; if its core is one point, and
+// (pose.hpp), if each of them is translated. A body is translated if its matrix stays; if its core is one point, and
 // it goes straight to any pose; or if its core is one point on the axis of its turn. One body is then translated beside
 // the other, by an exact vector, and the contact is as above. Without radii, the contact is that of the cores, with the
 // motions that the casts of meshes have. Throw NotSupported, with both kinds, if a body has a radius and one of the two

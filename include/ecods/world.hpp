@@ -8,7 +8,7 @@
 //
 // The world (FCL: CollisionManager; Box3D: b3World; Jolt: PhysicsSystem's queries) owns poses, shapes and boxes. A
 // change (create, destroy, set) takes effect for questions at once, and for the lists at the next update(). The world
-// does not move bodies, respond to contacts, or draw. (statistics.hpp)
+// does not move bodies, respond to contacts, or draw. (world_options.hpp)
 //
 // Lifetimes: a span is valid until the next call that is not const; all other results are returned by value. Arguments
 // may be spans that the world returned. A world that was moved from can be assigned to and destroyed; is_alive()
@@ -33,20 +33,16 @@
 #include "ecods/cast.hpp"
 #include "ecods/certificate.hpp"
 #include "ecods/contact.hpp"
-#include "ecods/deforming.hpp"
 #include "ecods/error.hpp"
 #include "ecods/export.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
-#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
-#include "ecods/statistics.hpp"
-#include "ecods/two_body_test.hpp"
 #include "ecods/world_options.hpp"
 
 namespace ecods {
@@ -187,7 +183,7 @@ class ECODS_API World {
     // Answer as solid.hpp says, and throw the same errors. Throw NotSupported if one of the two is no Solid, or for
     // depth() and signed_distance() no ConvexSolid, with two exceptions: both calls take a rounded body with another
     // one or with a mesh of any form, and answer as rounded.hpp says; and signed_distance() takes a half space with any
-    // of these (half_space.hpp). If several features tie, depth() and signed_distance() of two bodies choose as if the
+    // of these (solid.hpp). If several features tie, depth() and signed_distance() of two bodies choose as if the
     // body with the lesser id came first.
     [[nodiscard]] std::optional<Depth> depth(const Asked& a, const Asked& b, const Ask& ask = {}) const;
     [[nodiscard]] SignedDistance signed_distance(const Asked& a, const Asked& b, const Ask& ask = {}) const;
@@ -277,7 +273,7 @@ class ECODS_API World {
                                                            const Ask& ask = {}) const;
 
     // Suppose that the subject is translated by t * `motion` at each time t (cast.hpp), or moves in any way
-    // (motion.hpp); nothing is moved. Return the body that it meets first, or nullopt if it meets none up to max_time.
+    // (pose.hpp); nothing is moved. Return the body that it meets first, or nullopt if it meets none up to max_time.
     // A max_time above 1 counts as 1. Throw the errors of casts of two bodies. Need tests that answer Question::cast;
     // for straight motions cast_moving; for turns cast_any_motion, which the library has for meshes alone.
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Vec3& motion, double max_time = 1,
@@ -285,12 +281,12 @@ class ECODS_API World {
     [[nodiscard]] std::optional<BodyContact> cast(const Asked& subject, const Motion& motion, double max_time = 1,
                                                   const Ask& ask = {}) const;
 
-    // Returns the first body that a deforming mesh (deforming.hpp) meets. Throws NotSupported if a body that the filter
+    // Returns the first body that a deforming mesh (cast.hpp) meets. Throws NotSupported if a body that the filter
     // may meet is no mesh or solid. It is not traced. Cost: that of BroadPhase::find, and of the casts.
     [[nodiscard]] std::optional<BodyContact> cast(const Deforming& mesh, double max_time = 1, Filter filter = {},
                                                   const Ask& ask = {}) const;
 
-    // Returns the first body within `distance` of the translated subject (cast_to_distance.hpp, with its errors).
+    // Returns the first body within `distance` of the translated subject (cast.hpp, with its errors).
     // Throws NotSupported unless the subject and all bodies that it may meet are meshes or rounded bodies.
     [[nodiscard]] std::optional<BodyContact> cast_to_distance(const Asked& subject, const Vec3& motion, double distance,
                                                               double max_time = 1, const Ask& ask = {}) const;
@@ -305,7 +301,7 @@ class ECODS_API World {
     [[nodiscard]] ContactPoint contact_point(const Asked& subject, const Vec3& motion, const BodyContact& contact,
                                              const Ask& ask = {}) const;
 
-    // Return all pairs that meet while each of the bodies moves, straight to its new pose or in any way (motion.hpp),
+    // Return all pairs that meet while each of the bodies moves, straight to its new pose or in any way (pose.hpp),
     // and all other bodies stay. Meeting says in which order. If a body is listed twice, its later motion counts. Throw
     // the errors of set_poses(), of validate() for motions, and of the casts of turns (turn.hpp). Need tests that
     // answer Question::cast_moving, and cast_any_motion if a body turns or is translated.

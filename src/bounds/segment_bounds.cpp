@@ -7,7 +7,7 @@
 #include "base/arithmetic.hpp"
 #include "base/assert.hpp"
 #include "base/double_key.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "geometry/find_invalid.hpp"
 
 namespace ecods {

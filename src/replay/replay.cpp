@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "trace/trace_reader.hpp"
 #include "world/answer_digest.hpp"
 #include "world/world_access.hpp"

@@ -1,9 +1,9 @@
-// read_instruction_set returns the instruction set in use (ecods/instruction_set.hpp), for the dispatcher.
+// read_instruction_set returns the instruction set in use (ecods/export.hpp), for the dispatcher.
 #pragma once
 
 #include <atomic>
 
-#include "ecods/instruction_set.hpp"
+#include "ecods/export.hpp"
 
 namespace ecods {
 

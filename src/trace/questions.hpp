@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ecods/motion.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 #include "trace/calls.hpp"
 

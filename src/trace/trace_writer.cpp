@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "trace/trace_text.hpp"
 
 namespace ecods {

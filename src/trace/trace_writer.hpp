@@ -12,7 +12,7 @@
 #include <unordered_map>
 
 #include "ecods/broad_phase.hpp"
-#include "ecods/motion.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/world_options.hpp"
 #include "trace/mesh_form.hpp"
 #include "trace/questions.hpp"

@@ -1,6 +1,7 @@
 #include "world/half_space_tests.hpp"
 
-#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 
 namespace ecods {
 namespace {

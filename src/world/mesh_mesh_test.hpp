@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "ecods/shape.hpp"
-#include "ecods/two_body_test.hpp"
 
 namespace ecods {
 

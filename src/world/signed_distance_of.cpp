@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/double_key.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "query/convex/convex_core.hpp"
 #include "query/convex/solid_pair.hpp"
 #include "world/rounded_test.hpp"

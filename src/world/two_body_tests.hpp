@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "ecods/two_body_test.hpp"
+#include "ecods/shape.hpp"
 
 namespace ecods {
 

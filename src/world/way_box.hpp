@@ -1,7 +1,7 @@
 // Computes boxes that contain a body of a world during its whole motion.
 #pragma once
 
-#include "ecods/motion.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 #include "world/world_impl.hpp"
 

@@ -1,7 +1,7 @@
 #include "base/make_error.hpp"
 #include "base/misuse.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "world/half_space_tests.hpp"
 #include "world/mesh_mesh_test.hpp"
 #include "world/rounded_test.hpp"

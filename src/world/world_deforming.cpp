@@ -1,5 +1,5 @@
 // Answers which body of a world a deforming mesh meets first.
-#include "ecods/deforming.hpp"
+#include "ecods/cast.hpp"
 
 #include "query/intersection/asking.hpp"
 #include "world/first_met.hpp"

@@ -15,7 +15,7 @@
 
 #include "base/hash.hpp"
 #include "ecods/mesh.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "environment/corpus.hpp"
 #include "environment/digest_ways.hpp"
 #include "environment/float_mode.hpp"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "ecods/instruction_set.hpp"
+#include "ecods/export.hpp"
 
 namespace ecods::environment {
 

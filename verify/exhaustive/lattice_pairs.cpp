@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <map>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exhaustive/lattice.hpp"
 #include "oracle/oracle.hpp"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "foreign/shapes.hpp"
 #include "foreign/sources.hpp"
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <string_view>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "foreign/shen_pairs.hpp"
 #include "foreign/sources.hpp"
 

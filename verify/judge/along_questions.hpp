@@ -1,10 +1,10 @@
-// Answers about a body that goes along the nodes of a way in equal shares of the time (include/ecods/motion.hpp),
+// Answers about a body that goes along the nodes of a way in equal shares of the time (include/ecods/pose.hpp),
 // judged by the oracle.
 #pragma once
 
 #include <optional>
 
-#include "ecods/way.hpp"
+#include "ecods/turn.hpp"
 #include "judge/wrong.hpp"
 
 namespace ecods::judge {

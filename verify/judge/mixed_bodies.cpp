@@ -1,7 +1,7 @@
 #include "judge/mixed_bodies.hpp"
 
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "oracle/convex.hpp"
 #include "oracle/distance.hpp"
 #include "oracle/half_space.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "ecods/motion.hpp"
+#include "ecods/pose.hpp"
 #include "judge/cast_truth.hpp"
 
 namespace ecods::judge {

@@ -1,4 +1,4 @@
-// Answers about bodies that turn from node to node (include/ecods/way.hpp), about where bodies touch first, and about
+// Answers about bodies that turn from node to node (include/ecods/turn.hpp), about where bodies touch first, and about
 // the gap between the end of a turn and a pose, judged by the oracle.
 #pragma once
 
@@ -6,7 +6,6 @@
 
 #include "ecods/contact.hpp"
 #include "ecods/turn.hpp"
-#include "ecods/way.hpp"
 #include "judge/wrong.hpp"
 #include "oracle/way.hpp"
 

@@ -1,4 +1,4 @@
-// The oracle's half spaces: what include/ecods/half_space.hpp promises, from the definition, over all vertices.
+// The oracle's half spaces: what include/ecods/solid.hpp promises, from the definition, over all vertices.
 //
 // A point x is in the image of { y : n . y <= d } under R y + t exactly if n . y <= d for the y that solves R y = x -
 // t. That y is computed in fractions, by elimination, and never a normal of the image: its direction G, by which n . y

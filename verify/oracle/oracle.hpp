@@ -24,7 +24,6 @@
 #include "ecods/ids.hpp"
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
-#include "ecods/predicates.hpp"
 #include "ecods/primitives.hpp"
 
 namespace ecods::oracle {

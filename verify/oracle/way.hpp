@@ -1,4 +1,4 @@
-// The oracle's first contacts along a way of turns (include/ecods/way.hpp), where a first contact is, and contacts in
+// The oracle's first contacts along a way of turns (include/ecods/turn.hpp), where a first contact is, and contacts in
 // the gap between the end of a way and a pose: in rational numbers, all pairs of triangles, and without a tree.
 #pragma once
 

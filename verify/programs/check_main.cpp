@@ -16,7 +16,7 @@
 #include "check_scene.hpp"
 #include "command_line.hpp"
 #include "ecods/error.hpp"
-#include "ecods/instruction_set.hpp"
+#include "ecods/export.hpp"
 #include "environment/instruction_sets.hpp"
 #include "process/progress.hpp"
 #include "run_main.hpp"

@@ -1,6 +1,6 @@
 #include <ostream>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

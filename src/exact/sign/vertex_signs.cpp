@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/double_key.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/sign/plain_signs.hpp"
 
 namespace ecods::exact {

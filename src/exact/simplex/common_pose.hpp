@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/assert.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/point/frame.hpp"
 #include "geometry/same_bits.hpp"
 

@@ -1,5 +1,5 @@
 #include "base/assert.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/point/integer_points.hpp"
 #include "exact/point/posed_points.hpp"
 #include "exact/sign/exact_signs.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "base/assert.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::exact {
 

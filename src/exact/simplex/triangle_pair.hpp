@@ -22,7 +22,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/sign/exact_signs.hpp"
 #include "exact/simplex/segment_pair.hpp"
 

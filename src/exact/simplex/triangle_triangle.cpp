@@ -1,4 +1,4 @@
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/point/integer_points.hpp"
 #include "exact/point/posed_points.hpp"
 #include "exact/sign/filter_bound.hpp"

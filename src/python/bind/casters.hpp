@@ -22,9 +22,9 @@
 
 #include "ecods/broad_phase.hpp"
 #include "ecods/certificate.hpp"
+#include "ecods/export.hpp"
 #include "ecods/ids.hpp"
-#include "ecods/instruction_set.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/results.hpp"
 #include "python/bind/arrays.hpp"
 #include "python/bind/errors.hpp"

@@ -1,5 +1,5 @@
-// Binds deforming.hpp and cast_to_distance.hpp.
-#include "ecods/deforming.hpp"
+// Binds the casts of deforming meshes and to a distance (cast.hpp).
+#include "ecods/cast.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/cast_to_distance.hpp"
 #include "python/bind/arrays.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/bind.hpp"

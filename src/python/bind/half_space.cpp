@@ -1,5 +1,5 @@
-// Binds half_space.hpp: a ground or a wall, and the questions about a body and a half space.
-#include "ecods/half_space.hpp"
+// Binds solid.hpp: a ground or a wall, and the questions about a body and a half space.
+#include "ecods/solid.hpp"
 
 #include <sstream>
 #include <utility>

@@ -1,5 +1,5 @@
-// Binds motion.hpp: how one body moves; and the cast of two bodies that each move in a way of their own.
-#include "ecods/motion.hpp"
+// Binds pose.hpp: how one body moves; and the cast of two bodies that each move in a way of their own.
+#include "ecods/pose.hpp"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
-// Binds predicates.hpp: exact predicates over arrays.
-#include "ecods/predicates.hpp"
+// Binds primitives.hpp: exact predicates over arrays.
+#include "ecods/primitives.hpp"
 
 #include <algorithm>
 #include <cmath>

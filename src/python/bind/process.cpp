@@ -1,7 +1,7 @@
 // Binds settings of the whole process, and small helpers.
 #include <sstream>
 
-#include "ecods/instruction_set.hpp"
+#include "ecods/export.hpp"
 #include "ecods/pose.hpp"
 #include "python/bind/bind.hpp"
 #include "python/bind/casters.hpp"

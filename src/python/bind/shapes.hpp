@@ -8,10 +8,10 @@
 #include <variant>
 
 #include "ecods/distance.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/shape.hpp"
+#include "ecods/solid.hpp"
 #include "python/bind/ask.hpp"
 #include "python/bind/casters.hpp"
 

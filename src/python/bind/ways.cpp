@@ -1,5 +1,5 @@
-// Binds way.hpp: paths of several turns, and their casts.
-#include "ecods/way.hpp"
+// Binds turn.hpp: paths of several turns, and their casts.
+#include "ecods/turn.hpp"
 
 #include <string>
 #include <utility>

@@ -4,7 +4,6 @@
 
 #include "base/limits.hpp"
 #include "ecods/turn.hpp"
-#include "ecods/way.hpp"
 #include "geometry/find_invalid.hpp"
 #include "query/body/cast_straight.hpp"
 #include "query/body/contained.hpp"

@@ -3,7 +3,7 @@
 
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
-#include "ecods/way.hpp"
+#include "ecods/turn.hpp"
 #include "query/cast/way_time.hpp"
 
 namespace ecods {

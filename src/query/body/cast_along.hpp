@@ -5,7 +5,6 @@
 #include <span>
 
 #include "ecods/ask.hpp"
-#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/results.hpp"
 #include "ecods/shape.hpp"

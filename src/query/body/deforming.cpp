@@ -1,6 +1,6 @@
 // Answers casts of deforming meshes. A deforming mesh is a surface. It meets a solid that contains a part of it at time
 // 0; otherwise it first meets the solid where it meets the solid's boundary.
-#include "ecods/deforming.hpp"
+#include "ecods/cast.hpp"
 
 #include <optional>
 

@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "query/body/posed_body.hpp"
 #include "query/convex/convex_parts.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ecods/motion.hpp"
+#include "ecods/pose.hpp"
 
 namespace ecods {
 

@@ -7,7 +7,7 @@
 #include "base/double_key.hpp"
 #include "base/make_error.hpp"
 #include "ecods/distance.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/solid.hpp"
 #include "exact/simplex/common_pose.hpp"
 #include "query/body/posed_body.hpp"

@@ -6,7 +6,6 @@
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
 #include "ecods/cast.hpp"
-#include "ecods/cast_to_distance.hpp"
 #include "ecods/rounded.hpp"
 #include "exact/measure/round/long_rounding.hpp"
 #include "exact/measure/round/squared_distance.hpp"

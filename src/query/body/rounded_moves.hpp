@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "ecods/motion.hpp"
 #include "ecods/pose.hpp"
 #include "ecods/shape.hpp"
 #include "exact/number/long_vector.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ecods/cast.hpp"
-#include "ecods/way.hpp"
+#include "ecods/turn.hpp"
 #include "query/cast/turn_leg.hpp"
 
 namespace ecods {

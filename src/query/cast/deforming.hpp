@@ -1,7 +1,7 @@
 // Gives the library access to a deforming mesh at both ends of its motion.
 #pragma once
 
-#include "ecods/deforming.hpp"
+#include "ecods/cast.hpp"
 #include "query/cast/mesh_at_ends.hpp"
 
 namespace ecods {

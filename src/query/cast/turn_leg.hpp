@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "ecods/turn.hpp"
-#include "ecods/way.hpp"
 #include "exact/measure/contact/turning_points.hpp"
 #include "exact/point/mesh_extent.hpp"
 #include "exact/point/point.hpp"

@@ -1,5 +1,5 @@
 // Checks motions and the nodes of ways, and computes poses on them.
-#include "ecods/way.hpp"
+#include "ecods/turn.hpp"
 
 #include <array>
 #include <string>

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <span>
 
-#include "ecods/motion.hpp"
+#include "ecods/pose.hpp"
 #include "ecods/primitives.hpp"
 
 namespace ecods {

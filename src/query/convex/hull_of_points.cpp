@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "base/assert.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "query/solid/proper_mesh.hpp"
 
 namespace ecods::convex {

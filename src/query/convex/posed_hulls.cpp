@@ -6,7 +6,7 @@
 #include "base/arithmetic.hpp"
 #include "base/outward.hpp"
 #include "ecods/error.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/measure/round/scaled_vector.hpp"
 #include "exact/point/vectors.hpp"
 #include "query/convex/furthest.hpp"

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "exact/measure/distance/measure_pair.hpp"

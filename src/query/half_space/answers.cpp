@@ -1,4 +1,4 @@
-// Answers the questions of half_space.hpp about a body and a half space, from the body's lowest vertices.
+// Answers the questions of solid.hpp about a body and a half space, from the body's lowest vertices.
 //
 // Questions about a rounded body are answered from its core. A ball around a point reaches as far below the point
 // everywhere, so the signed distance of a rounded body is that of its core minus the radius.
@@ -6,7 +6,8 @@
 
 #include "base/double_key.hpp"
 #include "base/limits.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "exact/measure/round/round_root_sum.hpp"
 #include "exact/number/exact_sum.hpp"
 #include "exact/number/root_sum.hpp"

@@ -1,5 +1,5 @@
 // Defines the shape HalfSpace, its box, and its hits.
-#include "ecods/half_space.hpp"
+#include "ecods/solid.hpp"
 
 #include <algorithm>
 #include <cmath>

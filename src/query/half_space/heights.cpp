@@ -6,7 +6,7 @@
 
 #include "base/arithmetic.hpp"
 #include "ecods/error.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/point/posed_point.hpp"
 #include "exact/point/vectors.hpp"
 

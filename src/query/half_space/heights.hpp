@@ -32,7 +32,7 @@
 #include <optional>
 
 #include "bvh/tree/mesh_bvh.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/solid.hpp"
 #include "exact/number/long_vector.hpp"
 
 namespace ecods::half_spaces {

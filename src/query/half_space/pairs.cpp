@@ -7,7 +7,7 @@
 
 #include "base/limits.hpp"
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/solid.hpp"
 #include "geometry/find_invalid.hpp"
 #include "geometry/same_bits.hpp"
 #include "query/half_space/heights.hpp"

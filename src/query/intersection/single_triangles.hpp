@@ -6,7 +6,7 @@
 
 #include "ecods/mesh.hpp"
 #include "ecods/pose.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 

@@ -6,7 +6,7 @@
 
 #include "ecods/intersection.hpp"
 #include "ecods/mesh.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/point/frame.hpp"
 #include "exact/simplex/triangle_filter.hpp"
 #include "query/intersection/plane_signs.hpp"

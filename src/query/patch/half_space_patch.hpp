@@ -2,13 +2,13 @@
 #pragma once
 
 #include "ecods/contact.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/solid.hpp"
 #include "query/patch/convex_body.hpp"
 
 namespace ecods::patches {
 
-// Returns the patch of both bodies in the caller's order; the limits must be valid. `argument` is the number of the half
-// space in the caller's question, 0 or 1.
+// Returns the patch of both bodies in the caller's order; the limits must be valid. `argument` is the number of the
+// half space in the caller's question, 0 or 1.
 ContactPatch patch_on_plane(const ConvexBody& body, const Posed<HalfSpace>& half_space, int argument,
                             const PatchLimits& limits);
 

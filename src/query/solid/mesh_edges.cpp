@@ -5,7 +5,7 @@
 
 #include "base/double_key.hpp"
 #include "base/make_error.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods {
 namespace {

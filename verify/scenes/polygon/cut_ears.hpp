@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ecods/mesh.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::scenes {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::scenes {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ecods/contact.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "unit/allocation/pair_scene.hpp"
 
 namespace ecods::allocation::body_query_test {

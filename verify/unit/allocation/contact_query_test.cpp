@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "ecods/cast.hpp"
-#include "ecods/cast_to_distance.hpp"
 #include "ecods/contact.hpp"
-#include "ecods/deforming.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/world.hpp"

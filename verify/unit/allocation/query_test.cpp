@@ -20,7 +20,6 @@
 #include "ecods/shape.hpp"
 #include "ecods/solid.hpp"
 #include "ecods/turn.hpp"
-#include "ecods/way.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/allocation/answer_digest.hpp"
 #include "unit/allocation/pair_scene.hpp"

@@ -10,7 +10,7 @@
 
 #include "bvh/axes/separating_axes.hpp"
 #include "bvh/walks/walk_two.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "oracle/distance.hpp"
 #include "unit/bvh/mask_of_all.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <map>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/measure/distance/guess_features.hpp"
 #include "measured_pairs.hpp"
 #include "oracle_pair.hpp"

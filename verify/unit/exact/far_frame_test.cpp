@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ecods/mesh.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "oracle/oracle.hpp"
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"

@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "ecods/mesh.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "exact/sign/frame_signs.hpp"
 #include "oracle_pair.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "oracle/oracle.hpp"
 
 namespace ecods::hard_pairs_test {

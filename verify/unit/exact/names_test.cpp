@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::names_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 #include <gtest/gtest.h>
 

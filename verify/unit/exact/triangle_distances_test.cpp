@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/next.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "measured_pairs.hpp"
 #include "oracle/distance.hpp"
 #include "oracle_pair.hpp"

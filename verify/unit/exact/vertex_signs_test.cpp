@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "environment/each_environment.hpp"
 #include "scenes/random.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "ecods/mesh.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "query/intersection/triangle_relations.hpp"
 #include "scenes/random.hpp"
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "ecods/pose.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 
 namespace ecods::oracle::clipping {
 

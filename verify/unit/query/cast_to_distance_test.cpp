@@ -1,5 +1,6 @@
 // Casts to a distance: known answers, and random bodies against the oracle.
-#include "ecods/cast_to_distance.hpp"
+#include "ecods/cast.hpp"
+#include "ecods/rounded.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "ecods/cast.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
 #include "environment/each_environment.hpp"

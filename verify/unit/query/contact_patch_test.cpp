@@ -10,7 +10,6 @@
 
 #include "ecods/contact.hpp"
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/solid.hpp"
 #include "scenes/pose_at.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ecods/error.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "query/convex/convex_parts.hpp"
 #include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"

@@ -1,6 +1,6 @@
 // Casts of deforming meshes: known answers, queries of vertex and face and of two edges, as the public test sets of
 // continuous collision detection have them, and meshes; against the oracle.
-#include "ecods/deforming.hpp"
+#include "ecods/cast.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "ecods/cast.hpp"
 #include "ecods/error.hpp"
 #include "environment/each_environment.hpp"
 #include "judge/cast_truth.hpp"

@@ -11,7 +11,7 @@
 
 #include "ecods/error.hpp"
 #include "ecods/intersection.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/solid.hpp"
 #include "environment/float_mode.hpp"
 #include "scenes/convex_cases.hpp"

@@ -13,7 +13,6 @@
 
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/intersection.hpp"
 #include "ecods/solid.hpp"

@@ -8,9 +8,9 @@
 
 #include "ecods/cast.hpp"
 #include "ecods/distance.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/hit.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "scenes/pose_at.hpp"
 #include "unit/query/flat_sets.hpp"
 

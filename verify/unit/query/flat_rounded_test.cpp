@@ -12,7 +12,6 @@
 #include "ecods/contact.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/intersection.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/solid.hpp"

@@ -13,7 +13,7 @@
 #include "ecods/certificate.hpp"
 #include "ecods/distance.hpp"
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/trace.hpp"
 #include "ecods/world.hpp"
 #include "scenes/expect_invalid.hpp"

@@ -7,7 +7,8 @@
 #include <limits>
 #include <memory>
 
-#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "ecods/half_space.hpp"
+#include "ecods/solid.hpp"
 #include "environment/each_environment.hpp"
 #include "oracle/half_space.hpp"
 #include "oracle/hits.hpp"

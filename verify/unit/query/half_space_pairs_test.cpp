@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "ecods/half_space.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/world.hpp"
 #include "scenes/expect_invalid.hpp"
 #include "scenes/pose_at.hpp"

@@ -5,7 +5,8 @@
 #include <limits>
 #include <sstream>
 
-#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/trace.hpp"
 #include "ecods/world.hpp"
 #include "oracle/half_space.hpp"

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "ecods/deforming.hpp"
+#include "ecods/cast.hpp"
 #include "ecods/error.hpp"
-#include "ecods/way.hpp"
+#include "ecods/turn.hpp"
 #include "judge/along_questions.hpp"
 #include "judge/text.hpp"
 #include "judge/turn_truth.hpp"

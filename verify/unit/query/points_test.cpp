@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ecods/distance.hpp"
-#include "ecods/predicates.hpp"
+#include "ecods/primitives.hpp"
 #include "ecods/solid.hpp"
 #include "environment/float_mode.hpp"
 #include "environment/instruction_sets.hpp"

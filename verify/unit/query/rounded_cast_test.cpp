@@ -11,7 +11,8 @@
 
 #include "ecods/cast.hpp"
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "environment/each_environment.hpp"
 #include "geometry/feature_key.hpp"
 #include "scenes/pose_at.hpp"

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/turn.hpp"
 #include "ecods/world.hpp"
 #include "environment/each_environment.hpp"

@@ -5,7 +5,6 @@
 
 #include "ecods/error.hpp"
 #include "ecods/turn.hpp"
-#include "ecods/way.hpp"
 #include "environment/each_environment.hpp"
 #include "judge/way_questions.hpp"
 #include "scenes/each_case.hpp"

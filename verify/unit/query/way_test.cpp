@@ -1,5 +1,5 @@
 // First contacts on ways of several turns: known answers, what is refused, and families of cases beside the oracle.
-#include "ecods/way.hpp"
+#include "ecods/turn.hpp"
 
 #include <gtest/gtest.h>
 

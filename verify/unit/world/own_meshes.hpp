@@ -8,8 +8,8 @@
 
 #include "ecods/cast.hpp"
 #include "ecods/intersection.hpp"
+#include "ecods/shape.hpp"
 #include "ecods/turn.hpp"
-#include "ecods/two_body_test.hpp"
 
 namespace ecods {
 

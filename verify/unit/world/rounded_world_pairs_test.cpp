@@ -7,8 +7,8 @@
 
 #include "ecods/cast.hpp"
 #include "ecods/error.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/world.hpp"
 #include "scenes/pose_at.hpp"
 #include "scenes/shapes.hpp"

@@ -6,9 +6,9 @@
 #include <optional>
 #include <tuple>
 
-#include "ecods/cast_to_distance.hpp"
-#include "ecods/half_space.hpp"
+#include "ecods/cast.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"
 #include "unit/world/world_fixture.hpp"

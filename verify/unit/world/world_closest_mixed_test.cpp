@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/half_space.hpp"
-#include "ecods/instruction_set.hpp"
+#include "ecods/export.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/trace.hpp"
 #include "judge/mixed_bodies.hpp"
 #include "scenes/expect_invalid.hpp"

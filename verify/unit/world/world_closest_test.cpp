@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
+#include "ecods/solid.hpp"
 #include "ecods/trace.hpp"
 #include "scenes/expect_invalid.hpp"
 #include "scenes/random.hpp"

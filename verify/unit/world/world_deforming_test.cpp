@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ecods/deforming.hpp"
+#include "ecods/cast.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/solid.hpp"
 #include "scenes/expect_invalid.hpp"

@@ -10,7 +10,6 @@
 
 #include "ecods/cast.hpp"
 #include "ecods/contact.hpp"
-#include "ecods/half_space.hpp"
 #include "ecods/rounded.hpp"
 #include "ecods/solid.hpp"
 #include "scenes/expect_invalid.hpp"

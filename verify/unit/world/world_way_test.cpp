@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "ecods/way.hpp"
+#include "ecods/turn.hpp"
 #include "scenes/expect_invalid.hpp"
 #include "scenes/shapes.hpp"
 #include "unit/world/own_meshes.hpp"
