@@ -24,7 +24,8 @@ void BothTurnMotion::bind(const Turning<MeshShape>& a, const Turning<MeshShape>&
     bind_bodies({*a.what, *b.what, first.half, second.half, travel, first.size + second.size});
 }
 
-// A piece is divided by the angle of the turn whose points leave their straight motions by more.
+// Restricts the motion to the piece. To halve a piece, divides the angle of that turn whose points leave their straight
+// motions by more than those of the other turn.
 void BothTurnMotion::set_piece(double from, double to) {
     set_times(from, to);
     constexpr double known = exact::TurnAngles::condition_max;

@@ -1,4 +1,4 @@
-// BothTurningQuestion asks for the first contact of two bodies that turn, in a piece of their time.
+// BothTurningQuestion finds the first contact of two bodies that turn, in one piece of the time.
 #pragma once
 
 #include <array>
@@ -11,8 +11,9 @@ namespace ecods {
 
 // BothTurnMotion is the Motion of MeetingQuestion for two bodies that turn.
 //
-// In a piece, every point of a body is at each time within a margin of its straight motion at that time
-// (both_turning_points.hpp). The margin of the pair is the sum of both; each is across the axis of its own turn.
+// In a piece, the distance of each point of a body from its straight motion at the same time is at most a margin
+// (both_turning_points.hpp). The margin of the pair is the sum of the margins of both bodies; each margin is across the
+// axis of its own turn.
 // Claim: verify/proofs/turn_pieces.md
 class BothTurnMotion : public BothTurningPairs, public TurnPieces {
   public:

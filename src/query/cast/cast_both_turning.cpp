@@ -18,14 +18,15 @@ bool is_zero_vector(const exact::LongVector3& v) {
     return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }
 
-// Returns true if the quaternions of both turns are equal at every time, up to a factor.
+// Returns true if quaternions proportional to the ones of two turns q and r are equal at every time, so that the
+// rotations are equal.
 bool have_same_rotation(const Quaternion& q, const Quaternion& r) {
     const Vec3 v = vector_of(q), w = vector_of(r);
     return same_point(v, w) && (is_zero(v) || same_point({q.w, 0, 0}, {r.w, 0, 0}));
 }
 
-// Returns true if the bodies move as one rigid body: their rotations are equal, their pivots glide alike, and both
-// pivots are on one axis of rotation. The distance of any two points is then the same at all times.
+// Returns true if two bodies with turns a and b move as one rigid body: their rotations are equal, the motions of their
+// pivots are equal, and both pivots are on one axis of rotation. The distance of any two points is then constant.
 bool move_as_one(const Turn& a, const Turn& b) {
     if (!have_same_rotation(a.q, b.q)) return false;
     static const Pose world;

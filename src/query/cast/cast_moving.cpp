@@ -9,8 +9,8 @@
 namespace ecods {
 namespace {
 
-// StraightSearch searches for the first contact of two meshes that move straight. Everything that the arguments refer
-// to must outlive it.
+// StraightSearch searches for the first contact of two meshes whose points move straight. Everything that the arguments
+// refer to must outlive this object.
 class StraightSearch {
   public:
     StraightSearch(const MeshAtEnds& a, const MeshAtEnds& b, double latest, QueryMemory& memory, PairWitness& witness)

@@ -13,8 +13,8 @@
 namespace ecods {
 namespace {
 
-// TranslationQuestion is the PairQuestion (query/search) whose numbers are the times of first contact while body a is
-// translated.
+// TranslationQuestion is a PairQuestion (query/search) for a translation of body a. The number of a pair of triangles
+// is the time of its first contact.
 class TranslationQuestion : public TranslatedPairs {
   public:
     using Interval = ContactInterval;
@@ -22,7 +22,8 @@ class TranslationQuestion : public TranslatedPairs {
 
     bool may_share(float time) const noexcept { return !(time > 0); }
     ContactInterval enclose(const TrianglePair& triangles, double) { return enclosed(triangles); }
-    // Decides the pair exactly if the interval does not prove that it has a contact. Returns false if it has none.
+    // Decides the pair exactly unless the interval proves that the pair has a contact. Returns false if the pair has no
+    // contact.
     bool complete(const TrianglePair& triangles, ContactInterval& interval, std::optional<FirstContact>& contact) {
         if (key_of(interval.upper) <= key_of(1.0)) return true;
         contact = round(triangles, interval);
@@ -50,7 +51,7 @@ std::optional<FirstContact> first_by(double latest, TranslationQuestion& transla
     return sieve.is_least_within(latest, is_by) ? contact : std::nullopt;
 }
 
-// Handles the case that neither body moves: they meet at time 0 or never.
+// Returns the first contact of two bodies that are both at rest: at time 0, or nullopt if they share no point.
 std::optional<FirstContact> cast_at_rest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, QueryMemory& memory,
                                          PairWitness& witness) {
     if (!surface::intersects(a, b, {memory, witness})) return std::nullopt;

@@ -11,8 +11,8 @@
 namespace ecods {
 namespace {
 
-// Searches one leg of a turn or of a way for the first contact. `are_apart` is true if the bodies are known to share no
-// point at the beginning of the leg.
+// Returns the first contact on one leg of a turn or of a way; nullopt if there is none up to `latest`. `are_apart` is
+// true if the bodies are known to share no point at the beginning of the leg.
 std::optional<FirstContact> search_leg(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, double latest,
                                        bool are_apart, QueryMemory& memory, PairWitness& witness) {
     using Search = PieceSearch<TurningQuestion>;
@@ -30,8 +30,8 @@ std::optional<FirstContact> search_turn(const Turning<MeshShape>& a, const Vec3&
     return search_leg(*a.what, leg, b, latest, false, memory, witness);
 }
 
-// Searches the legs in order. The bodies are known to share no point at the beginning of each but the first leg, since
-// it is time 1 of the leg before.
+// Returns the first contact on the way, searching the legs in order. Each leg but the first begins at time 1 of the leg
+// before, at which the bodies are known to share no point.
 std::optional<WayContact> search_way(const Posed<MeshShape>& a, std::span<const WayNode> nodes,
                                      const Posed<MeshShape>& b, QueryMemory& memory, PairWitness& witness) {
     for (std::size_t k = 0; k <= last_leg(nodes); ++k) {

@@ -11,20 +11,21 @@
 namespace ecods {
 
 struct ContactInterval {
-    // lower bound of the time of first contact; infinity if there is no contact; 0 if nothing is known
+    // lower bound of the time of first contact; infinity if there is no contact; 0 if no bound is known
     double lower = 0;
     // upper bound of the time of first contact; infinity if a contact is not certain
     double upper = std::numeric_limits<double>::infinity();
 
     // `is_certain` is true if the triangles certainly first touch at a single point that is in the relative interiors
-    // of features a and b. All pairs of triangles with these two features then have the same first contact.
+    // of features a and b of `contact`. All pairs of triangles with these two features then have the same first
+    // contact.
     bool is_certain = false;
-    FirstContact contact;  // names features by these triangles; its time is not set
+    FirstContact contact;  // names features by these triangles; contact.time is not set
     FeatureKey a, b;
 };
 
-// Returns the first of a sieve's open contacts: the one with the least rounded time, then with the least rank.
-// round(open) must return the contact of a pair, or nullopt if it has none.
+// Returns the first of a sieve's open contacts: the contact with the least rounded time; among equal times, the one
+// with the least rank. round(open) must return the contact of a pair, or nullopt if the pair has none.
 template <class Sieve, class Round>
 std::optional<FirstContact> first_contact(Sieve& sieve, Round&& round) {
     return sieve.least([&](const auto& open, const auto&) { return round(open); },

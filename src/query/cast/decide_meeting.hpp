@@ -23,9 +23,9 @@
 
 namespace ecods {
 
-// Stores the time at which features a and b first share a point. It is stored only for a pair of triangles that, in the
-// time span searched, can meet in no other features. So every other pair of which this is true first meets at this
-// time, too.
+// KnownMeeting holds the time at which features a and b first share a point. It is stored only for a pair of triangles
+// that can meet in no other features in the time span searched. So every other pair of triangles with this property
+// first meets at the same time.
 struct KnownMeeting {
     FeatureKey a, b;
     double time;   // rounded once
@@ -40,18 +40,19 @@ class KnownMeetings {
     }
     void add(const KnownMeeting& known) { all_.push_back(known); }
 
-    // Stores the first meeting of two triangles in the whole motion; nullopt if they never meet. Triangles that stay
-    // near each other would otherwise be decided again in many pieces of the motion.
+    // Stores the first meeting of two triangles in the whole motion; nullopt if the triangles never meet. Without this
+    // cache, triangles that stay near each other would be decided again in many pieces of the motion.
     void add_whole(const TrianglePair& triangles, const std::optional<exact::Meeting>& meeting) {
         whole_.insert_or_assign(key_of_pair(triangles), meeting);
     }
-    // Returns what add_whole() stored for the triangles; null if it stored nothing.
+    // Returns the meeting that add_whole() stored for the triangles; null if add_whole() was not called for these
+    // triangles.
     const std::optional<exact::Meeting>* find_whole(const TrianglePair& triangles) const {
         const auto found = whole_.find(key_of_pair(triangles));
         return found == whole_.end() ? nullptr : &found->second;
     }
     // Returns an interval within [from, to] that contains the meeting `whole`, which add_whole() stored; nullopt if the
-    // meeting is later than `to`, or if there is none.
+    // meeting is later than `to`, or if `whole` is empty.
     static std::optional<exact::TimeSpan> span_of(const std::optional<exact::Meeting>& whole, double from, double to) {
         if (!whole || key_of(next_down(whole->time)) > key_of(to)) return std::nullopt;
         return exact::TimeSpan{double_of(std::max(key_of(from), key_of(next_down(whole->time)))),
@@ -59,7 +60,7 @@ class KnownMeetings {
     }
 
     // Returns the known meeting of features a and b if it certainly is within `time`; otherwise null. The known time is
-    // rounded, so both of its neighbors must be within `time`.
+    // rounded, so both neighboring doubles of the known time must be within `time`.
     const KnownMeeting* find(const FeatureKey& a, const FeatureKey& b, const exact::TimeSpan& time) const {
         for (const KnownMeeting& known : all_) {
             if (known.a == a && known.b == b && key_of(next_down(known.time)) >= key_of(time.from) &&
@@ -79,19 +80,21 @@ class KnownMeetings {
     std::unordered_map<std::uint64_t, std::optional<exact::Meeting>> whole_;  // the key has both indices
 };
 
-// MeetingDecision decides about one pair of triangles. `Pairs` represents all pairs of two moving meshes. It has
-// mesh(side); points_of(triangles), the corners in doubles for bound_first_meeting and possible_features;
-// ask_exactly(triangles, ask), which returns ask(position) for the RelativePositionOf the triangles; and counts_.
+// MeetingDecision decides when one pair of triangles first meets. `Pairs` represents all pairs of triangles of two
+// moving meshes. It has the functions mesh(side); points_of(triangles), which returns the corners in doubles for
+// bound_first_meeting() and possible_features(); and ask_exactly(triangles, ask), which returns ask(position) for the
+// RelativePositionOf the triangles. It has the member counts_.
 template <class Pairs>
 class MeetingDecision {
   public:
     MeetingDecision(Pairs& pairs, KnownMeetings& known, const TrianglePair& triangles)
         : pairs_(pairs), known_(known), triangles_(triangles) {}
 
-    // Decides exactly, at first only in short time spans that begin with the bound `time`: few features can meet in
-    // these. If the spans do not suffice, decides for all times. Each span is longer than the one before, because
-    // `time` may end before the meeting: points far from their mesh's origin have large errors. For turns it mostly
-    // does; its length is about 2^-42 there. With a first span of 2^-44, turns took five times as many exact decisions,
+    // Returns the first meeting, computed exactly. First tries short time spans that begin with the bound `time`,
+    // because few features can meet in a short span. If these spans do not suffice, decides for all times. Each span is
+    // longer than the one before, because `time` may end before the meeting: points far from their mesh's origin have
+    // large errors. For turns, `time` mostly ends before the meeting; its length is about 2^-42 there. With a first
+    // span of 2^-44, turns took five times as many exact decisions, and straight motions took as many.
     // and straight motions took as many.
     std::optional<exact::Meeting> decide(exact::TimeSpan time, double to) {
         if (const auto* whole = known_.find_whole(triangles_)) return *whole;
@@ -117,7 +120,8 @@ class MeetingDecision {
     }
 
   private:
-    // Decides in the cells, where only pairs of `features` may share points.
+    // Returns the first meeting in the cells, in which only pairs of `features` may share points, as first_meeting_in()
+    // does.
     exact::PartialAnswer decide_in(const exact::TimeCells& cells, exact::FeatureSet features) {
         if (features == 0) return {true, std::nullopt};
         const bool is_one = std::has_single_bit(features);

@@ -20,8 +20,8 @@ std::shared_ptr<const Mesh> with_triangles_of(const std::shared_ptr<const MeshSh
     return Mesh::create(std::move(vertices), {triangles.begin(), triangles.end()});
 }
 
-// Returns the box of both meshes. Each vertex moves on a straight line, so it stays in the box of its ends. Compares
-// keys, because the processor may take subnormal numbers for zero.
+// Returns the box of the vertices of both meshes. Each vertex moves on a straight line, so it stays in the box.
+// Compares keys, because the processor may take subnormal numbers for zero.
 Aabb box_of_ends(const Mesh& start, const Mesh& end) {
     const std::uint32_t first = start.triangles().front()[0];
     Aabb box{start.vertices()[first], start.vertices()[first]};

@@ -1,4 +1,4 @@
-// Gives the library access to a deforming mesh at both ends of its motion.
+// This header gives the library access to a deforming mesh at both ends of its motion.
 #pragma once
 
 #include "ecods/cast.hpp"

@@ -12,8 +12,8 @@ namespace ecods {
 namespace {
 
 // Entering is a PairQuestion (query/search). The number of a pair of triangles is the time at which the first triangle
-// goes into the second one. It does so at its first contact or later, so a lower bound of the contact's time is a lower
-// bound of the number.
+// goes into the second one. This time is that of the first contact or later, so a lower bound of the contact's time is
+// a lower bound of the number.
 class Entering : public TranslatedPairs {
   public:
     using Interval = ContactInterval;
@@ -31,15 +31,16 @@ class Entering : public TranslatedPairs {
     ContactInterval enclose(const TrianglePair& pair, double) {
         if (edges_ != nullptr && !(edges_->counts(0, pair.a) && edges_->counts(1, pair.b))) return never();
         ContactInterval interval = enclosed(pair);
-        // A certain contact is that of a vertex strictly inside a face, or of two edges that cross, seen along the
-        // motion. So the pair goes in properly at its first contact.
+        // A certain contact is a contact of a vertex with a face that has the vertex strictly inside, or of two edges
+        // that cross, seen along the motion. So the pair goes in properly at its first contact.
         const bool is_proven =
             interval.is_certain && key_of(interval.lower) > 0 && key_of(interval.upper) < key_of(end_);
         if (!is_proven) interval.upper = std::numeric_limits<double>::infinity();
         interval.is_certain = is_proven;
         return interval;
     }
-    // Decides the pair exactly, unless its interval proves that it goes in. Returns false if the pair does not go in.
+    // Decides the pair exactly, unless its interval proves that the first triangle goes into the second one. Returns
+    // false if the first triangle does not go into the second one.
     bool complete(const TrianglePair& pair, ContactInterval& interval, std::optional<PairEntry>& entry) {
         if (interval.is_certain) return true;
         entry = find(pair);

@@ -1,5 +1,5 @@
-// Finds when a translated body first goes into another one: a pair of triangles that goes in properly, or an edge that
-// slides into a face of its own plane.
+// first_entry() finds the first time at which a translated body goes into another one: a pair of triangles goes in
+// properly, or an edge slides into a face in the edge's own plane.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace ecods {
 
-// SlidingEdges answers what the search for the first entry asks about solids. Triangles are named by their indices in
+// SlidingEdges decides for first_entry() how edges of solids slide into faces. Triangles are named by their indices in
 // the two meshes that are searched.
 class SlidingEdges {
   public:

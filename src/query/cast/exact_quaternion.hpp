@@ -12,7 +12,7 @@ struct ExactQuaternion {
     exact::ScaledLongVector v;
 
     exact::ScaledInteger norm() const { return w * w + dot(v, v); }
-    // Returns the rotated vector, times the norm: turning_triangles.hpp has the formula.
+    // Returns the rotated vector g, times the norm of the quaternion: turning_triangles.hpp has the formula.
     exact::ScaledLongVector rotated(const exact::ScaledLongVector& g) const {
         const exact::ScaledLongVector once = cross(v, g), half = plus(times(once, w), cross(v, once));
         return plus(times(g, norm()), plus(half, half));
@@ -23,7 +23,7 @@ inline ExactQuaternion exact_quaternion(const Quaternion& q) {
     return {q.w, {exact::ScaledInteger(q.x), exact::ScaledInteger(q.y), exact::ScaledInteger(q.z)}};
 }
 
-// Returns z1 times the conjugate of z0: a multiple of the quaternion of the rotation from z0 to z1.
+// Returns z1 times the conjugate of z0: a positive multiple of the quaternion that rotates from z0 to z1.
 inline ExactQuaternion times_conjugate(const ExactQuaternion& z1, const ExactQuaternion& z0) {
     return {z1.w * z0.w + dot(z1.v, z0.v), minus(minus(times(z1.v, z0.w), times(z0.v, z1.w)), cross(z1.v, z0.v))};
 }

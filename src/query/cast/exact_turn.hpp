@@ -8,8 +8,8 @@
 
 namespace ecods {
 
-// Holds the quaternion (a, b v) at time s, times a positive number, with integers a, b >= 0 and v; and s itself. The
-// body has turned by twice the angle of the vector (a, b |v|).
+// ExactTurn holds integers a, b >= 0 and v such that the quaternion at time s is a positive multiple of (a, b v); and s
+// itself. The body has turned by twice the angle of the vector (a, b |v|).
 struct ExactTurn {
     ExactTurn(const Quaternion& q, exact::BinaryFraction s);
 

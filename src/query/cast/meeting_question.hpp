@@ -1,8 +1,8 @@
 // MeetingQuestion is a PairQuestion (query/search): the number of a pair of triangles is the time of its first contact,
 // for any kind of motion of the two bodies.
 //
-// Bounds of pairs of triangles are refined step by step, earliest pairs first. A pair is decided exactly only when no
-// waiting pair may be earlier.
+// The search refines bounds of pairs of triangles step by step, earliest pairs first. It decides a pair exactly only
+// when no waiting pair may be earlier.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,14 @@
 
 namespace ecods {
 
-// `Motion` represents the two bodies and how they move. It has these functions:
-//     sets(), trees()          the axes of motion_axes.hpp and the trees, for a straight motion that bounds this one
-//     begin()                  the beginning of the time that is searched
-//     time_of(bound)           a lower bound of the time, for a lower bound on those axes
-//     bound_of(time)           an upper bound, for all times up to `time`, of the bounds on those axes
-//     may_go_on()              false if the search is given up; its result then has no meaning
-//     bound(), decide()        see MovingPairs
+// MeetingQuestion finds the first contact of two bodies that move as `Motion` says. A `bound` is a float that
+// meeting_mask() computes on the axes of motion_axes.hpp. A Motion has these functions:
+// sets(), trees(): the axes, and the trees on them, for a straight motion that bounds this motion;
+// begin(): the beginning of the time that is searched;
+// time_of(bound): a lower bound of the time at which a pair with this bound meets;
+// bound_of(time): an upper bound of the bounds of all pairs that meet up to `time`;
+// may_go_on(): false if the search is given up; the result of the search then has no meaning;
+// bound(), decide(): as in MovingPairs.
 template <class Motion>
 class MeetingQuestion {
   public:
@@ -50,7 +51,7 @@ class MeetingQuestion {
     // `at_most` although the real time is later.)
     bool is_by_then() const noexcept { return is_by_then_; }
 
-    // The search calls the following functions.
+    // Search calls the following functions.
     float limit_above(double time) const noexcept { return motion_.bound_of(time); }
     template <class X, class Y>
     std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) noexcept {
@@ -90,8 +91,8 @@ class MeetingQuestion {
     }
 
   private:
-    // Holds a pair of triangles that waits in the queue. `known` says which bound `time` is: the bound of the boxes, a
-    // coarse one, or a fine one.
+    // Holds a pair of triangles that waits in the queue. `known` says how `time` was computed: as the bound of the
+    // boxes, or by narrow() with coarse or fine effort.
     struct Candidate {
         enum class Known : std::uint8_t { boxes, coarse, fine };
 
@@ -100,7 +101,8 @@ class MeetingQuestion {
         Known known;
         TrianglePair triangles;
 
-        // Orders by time; at equal times the pair inserted last comes first, which makes the search depth-first.
+        // Orders candidates by time; at equal times the pair inserted last comes first, which makes the search
+        // depth-first.
         friend bool operator<(const Candidate& x, const Candidate& y) noexcept {
             return ((x.time < y.time) | ((x.time == y.time) & (x.order > y.order))) != 0;
         }
@@ -122,8 +124,9 @@ class MeetingQuestion {
         waiting_.push({key_of(time), order_++, known, triangles});
     }
 
-    // Refines the bound of the candidate. If a waiting candidate may be earlier, or a node (no node begins before time
-    // `next`), puts the candidate back into the queue. Otherwise gives it to the search, which decides it exactly.
+    // Refines the bound of the candidate. If a waiting candidate, or a node that is still to be visited (no such node
+    // begins before time `next`), may be earlier, puts the candidate back into the queue. Otherwise passes the
+    // candidate to the search, which decides it exactly.
     void refine(Search& search, const Candidate& candidate, double next) {
         using Known = typename Candidate::Known;
         const double latest = search.sieve().bound();

@@ -20,7 +20,7 @@ struct MeshAtEnds {
           end{&start.mesh(), &start.tree.extent, &rigid.to},
           trees(start.tree.boxes),
           is_at_rest(same_bits(rigid.from, rigid.to)) {}
-    // Takes a body that goes to a pose or is translated; `rounded_end` is the move's.
+    // Takes a body that goes to a pose or is translated. `rounded_end` must be move.rounded_end().
     MeshAtEnds(const StraightMove& move, const Pose& rounded_end) : MeshAtEnds(move.body) {
         end.pose = &rounded_end;
         if (!move.translation) return;
@@ -36,9 +36,9 @@ struct MeshAtEnds {
     MeshBody start;
     exact::BodyRef end;
     TreeAtEnds trees;
-    // `translation` is null for a body that goes to its pose at the end. A translated body goes from its start by this
-    // vector, and is off from its pose at the end by at most `end_off` on each axis, since the sum is rounded once, or
-    // lost below 2^-1022.
+    // `translation` is the vector by which a translated body goes from its start; it is null for a body that goes to
+    // its pose at the end. At time 1, a translated body differs from its pose at the end by at most `end_off` on each
+    // axis, since the sum is rounded once, or lost below 2^-1022.
     // Claim: verify/proofs/turn_pieces.md
     const Vec3* translation = nullptr;
     double end_off = 0;

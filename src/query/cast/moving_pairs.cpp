@@ -13,13 +13,13 @@
 namespace ecods {
 namespace {
 
-// bound_at_beginning() first searches the time intervals that end here. Both ends are powers of two; the first is the
-// least normal number.
+// bound_at_beginning() first searches the time intervals from 0 to these times. Both times are powers of two; the first
+// one is the least normal number.
 constexpr std::array<double, 2> beginnings{0x1p-1022, 0x1p-537};
 
-// Returns the part of the motion up to time s, as a motion from time 0 to 1. Its end is P (1 - s) + Q s, computed as in
-// moving_points.hpp. This end is off by the errors of the given points, at most e0 + s e1, by 3.01 u' (|P| + s |Q|) of
-// rounding, and by 2^-1022 for each product that underflows.
+// Returns the part of the motion from time 0 up to time s, as a motion from time 0 to 1. Its end is P (1 - s) + Q s,
+// with P and Q the points at times 0 and 1, computed as in moving_points.hpp. The end is off by the errors of the given
+// points, at most e0 + s e1, by 3.01 u' (|P| + s |Q|) of rounding, and by 2^-1022 for each product that underflows.
 // Claim: verify/proofs/moving_points.py
 exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
     exact::MovingPoints result = points;
@@ -37,8 +37,8 @@ exact::MovingPoints points_up_to(const exact::MovingPoints& points, double s) {
     return result;
 }
 
-// Returns the corners at both ends of bodies of which some are translated, from all corners at the start and at the
-// pose at the end, the world's origin and both translations.
+// Returns the corners of two triangles at times 0 and 1, if at least one of the bodies is translated. `points` has all
+// corners at the start and at the pose at the end, the world's origin and both translations.
 template <class Kernel>
 std::array<exact::LongVector3, 12> translated_corners(const exact::IntegerPoints<Kernel, 15>& points,
                                                       const std::array<const Vec3*, 2>& translations) {
@@ -96,10 +96,11 @@ std::optional<exact::TimeSpan> MovingPairs::bound(const TrianglePair& triangles,
     return time && time->from < beginnings.back() ? bound_at_beginning(points, from, to, effort) : time;
 }
 
-// Bounds the first meeting, searching two short intervals from time 0 on before the rest. If bodies grow by a factor of
-// 2^500 or more, their sizes at the start underflow beside their sizes at the end; within these intervals they do not.
-// A time divided by an interval's end is exact, or is a subnormal number that is flushed to zero, which is earlier. A
-// product that underflows becomes earlier, too, or changes by less than the distance to the next double.
+// Returns the result of bound() for the corners `points`; searches two short intervals from time 0 on before the rest.
+// If bodies grow by a factor of 2^500 or more, their sizes at the start underflow beside their sizes at the end; within
+// the short intervals they do not. A time divided by an interval's end is exact, or is a subnormal number that is
+// flushed to zero, which is earlier. A product that underflows becomes earlier, too, or changes by less than the
+// distance to the next double.
 std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::MovingPoints& points, double from,
                                                                double to, exact::Effort effort) {
     for (const double end : beginnings) {
@@ -117,7 +118,8 @@ std::optional<exact::TimeSpan> MovingPairs::bound_at_beginning(const exact::Movi
     return exact::bound_first_meeting(points, from, to, effort);
 }
 
-// A rounded pose at the end gives no integers: the pose at the start stands in its place.
+// Calls `ask` with the triangles of bodies of which at least one is translated. The rounded pose at the end of a
+// translated body has no integers, so the pose at the start is used in its place.
 template <class Function>
 auto MovingPairs::ask_translated(const TrianglePair& triangles, Function& ask) {
     static const Pose world;

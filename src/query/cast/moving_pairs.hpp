@@ -20,11 +20,11 @@ class MovingPairs {
     void bind(const MeshAtEnds& a, const MeshAtEnds& b, CastCounts& counts);
 
     // Returns an interval within [from, to] that contains the first time at which the triangles share a point, if they
-    // do so by `to`. Returns nullopt if they certainly do not.
+    // share one by `to`. Returns nullopt if they certainly share no point from `from` to `to`.
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
 
-    // Returns the first meeting of the triangles if its time is at most `to`; for a later one, may return nullopt. Call
-    // only if the triangles share no point before `time`.
+    // Returns the first meeting of the triangles if its time is at most `to`; if the meeting is later, may return
+    // nullopt. Call this function only if the triangles share no point before `time`.
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 
   private:
@@ -42,7 +42,7 @@ class MovingPairs {
 
     CastCounts* counts_ = nullptr;
     exact::Frame frame_;                         // bodies 0 and 1: a and b at the start; 2 and 3: a and b at the end
-    std::array<const Vec3*, 2> translations_{};  // MeshAtEnds has them
+    std::array<const Vec3*, 2> translations_{};  // as in MeshAtEnds
     std::array<double, 2> ends_off_{};
     KnownMeetings known_;
 };

@@ -1,5 +1,5 @@
-// MovingQuestion asks for the first contact of two meshes whose points move straight: between two poses, or each to a
-// place of its own.
+// MovingQuestion finds the first contact of two meshes whose points move straight: between two poses of a rigid mesh,
+// or between the vertices of a mesh that deforms.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ namespace ecods {
 // never meet.
 std::optional<float> first_of_roots(const MotionAxes& axes, const TreeAtEnds& a, const TreeAtEnds& b);
 
-// StraightBoxes holds the trees and axes of two bodies that move straight. It has all functions of a Motion of
-// MeetingQuestion but bound() and decide().
+// StraightBoxes holds the trees and axes of two bodies whose points move straight. It has all functions of a Motion of
+// MeetingQuestion except bound() and decide().
 class StraightBoxes {
   public:
     // Returns a lower bound of the time at which the boxes of the bodies meet; nullopt if they never do.
@@ -36,7 +36,7 @@ class StraightBoxes {
     std::array<TreeAtEnds, 2> trees_;
 };
 
-// StraightMotion is the Motion of MeetingQuestion for two bodies that move straight.
+// StraightMotion is the Motion of MeetingQuestion for two bodies whose points move straight.
 class StraightMotion : public MovingPairs, public StraightBoxes {
   public:
     // Everything that the arguments refer to must outlive this object.

@@ -1,4 +1,5 @@
-// OneTimeMemory has the memory of searches that compare the motions of both bodies with straight ones at the same time.
+// OneTimeMemory is the scratch of searches in which a piece compares the motions of both bodies with straight motions
+// at the same time.
 #pragma once
 
 #include "query/cast/both_turning_question.hpp"

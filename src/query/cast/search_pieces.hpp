@@ -1,4 +1,4 @@
-// PieceSearch searches the pieces of a motion for the first contact, earliest first.
+// PieceSearch searches the pieces of a motion for the first contact, in the order of time.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace ecods {
 
-// `Question` is a MeetingQuestion whose motion derives from TurnPieces, and has set_piece(from, to).
+// PieceSearch takes a `Question`, a MeetingQuestion whose motion derives from TurnPieces and has set_piece(from, to).
 template <class Question>
 class PieceSearch {
   public:
@@ -30,7 +30,7 @@ class PieceSearch {
           working_(working),
           motion_(working.question.motion()) {}
 
-    // States that the bodies share no point at time 0, so that run() need not test it.
+    // States that the bodies share no point at time 0, so that run() need not test them at time 0.
     void begin_apart() noexcept { is_start_known_ = true; }
 
     std::optional<FirstContact> run() {
@@ -57,8 +57,8 @@ class PieceSearch {
     }
 
   private:
-    // Returns true if the bodies share a point at time 0; then sets contact_. Only the first call tests; later ones
-    // return false.
+    // Returns true if the bodies share a point at time 0, and then sets contact_. Only the first call tests the bodies;
+    // later calls return false.
     bool meet_at_start() {
         if (is_start_known_) return false;
         is_start_known_ = true;
@@ -70,7 +70,7 @@ class PieceSearch {
     }
 
     // Returns the first contact in the piece that ends at `to`; nullopt if there is none, or if the search is given up.
-    // There must be no contact before the piece.
+    // The bodies must have no contact before the piece.
     std::optional<FirstContact> search(double to) {
         Question& question = working_.question;
         question.start(to);

@@ -16,12 +16,12 @@ using exact::LongVector3;
 using exact::ScaledInteger;
 using exact::ScaledLongVector;
 
-// Returns the turn of zero length at the end of a leg.
+// Returns a turn of angle 0, at the end of a leg.
 TurnLeg end_of(const TurnLeg& leg) {
     return {leg.start, leg.pivot, leg.to, leg.to, leg.pivot_to, leg.pivot_to};
 }
 
-// Returns the quaternion in a unit in which all components are integers.
+// Returns the quaternion times a power of two that makes all components integers.
 ExactQuaternion in_integers(const Quaternion& q) {
     ExactQuaternion z = exact_quaternion(q);
     exact::BitRange digits;
@@ -30,9 +30,9 @@ ExactQuaternion in_integers(const Quaternion& q) {
     return {of(z.w), {of(z.v[0]), of(z.v[1]), of(z.v[2])}};
 }
 
-// Returns the corners of both triangles at the start and at the end of the straight motion, times N. `points` are a's
-// corners at the start of the way, b's corners, a's corners at the final pose, and the pivot at the start of the way
-// and at the end of the leg.
+// Returns the corners of both triangles at the start and at the end of the straight motion, times N, the norm of q.
+// `points` are a's corners at the start of the way, b's corners, a's corners at the final pose, and the pivot at the
+// start of the way and at the end of the leg.
 template <class Kernel>
 std::array<LongVector3, 12> settling_corners(const exact::IntegerPoints<Kernel, 11>& points, const Quaternion& q) {
     const ExactQuaternion z = in_integers(q);
@@ -65,7 +65,7 @@ bool passes_through(exact::RelativePosition& triangles, std::size_t side, std::s
     return sides == 3 || sides == -3;
 }
 
-// Returns true if the triangles share a point at time 0. If they do, the relative interiors of a pair of features in
+// Returns true if the triangles share a point at time 0. In this case, the relative interiors of a pair of features in
 // feature_pairs share a point, or an edge crosses a face.
 bool share_point_at_start(exact::RelativePosition& triangles) {
     exact::Root zero{exact::BinaryFraction{}};

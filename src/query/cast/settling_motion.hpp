@@ -1,11 +1,11 @@
-// SettlingMotion moves a body straight from the end of a turn, which is rarely a pose of doubles, to a given pose.
+// SettlingMotion moves a body straight from the end of a turn, whose pose is rarely exact in doubles, to a given pose.
 //
 // Let z = (w, v) be the quaternion at the end of the turn, N = w^2 + v.v, Q the rotation times N, and c the pivot's
-// place there. A point that was at p at the start of the way is then at c + Q (p - pivot) / N. Multiplied by N, this
-// point and all others are integers in a common unit, so the triangles move straight as in moving_triangles.hpp. In
-// doubles, the end of the turn is a pose that is rounded once (RoundedLeg). Its error is added to the errors of the
-// points, and to the boxes as a margin: coordinates are off by at most `off` on each axis at each end, so points are
-// off by less than 2 `off`.
+// place at the end of the turn. A point that was at p at the start of the way is then at c + Q (p - pivot) / N.
+// Multiplied by N, this point and all other points are integers in a common unit, so the triangles move straight as in
+// moving_triangles.hpp. In doubles, the end of the turn is a pose that is rounded once (RoundedLeg). The error of this
+// pose is added to the errors of the points, and to the boxes as a margin: coordinates are off by at most `off` on each
+// axis at each end, so points are off by less than 2 `off`.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@
 
 namespace ecods {
 
-// SettlingMotion is a Motion of MeetingQuestion. For triangles that share a point at time 0, decide() returns a meeting
-// at time 0 of the vertices 0.
+// SettlingMotion is a Motion of MeetingQuestion. If triangles share a point at time 0, decide() returns a meeting of
+// vertex 0 of both at time 0.
 class SettlingMotion : public StraightBoxes {
   public:
     // Binds mesh a, which moves straight from its place at the end of `leg` to the pose `to`, and mesh b, which is at

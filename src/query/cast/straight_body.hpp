@@ -1,5 +1,5 @@
-// StraightBody is a body whose points move straight, as the search of a piece of another body's turn sees it: its
-// places, and bounds of its size and its way.
+// StraightBody describes a body whose points move straight while another body turns: its places, and bounds of its size
+// and its way.
 #pragma once
 
 #include "ecods/pose.hpp"
@@ -7,20 +7,23 @@
 
 namespace ecods {
 
-// All places are relative to the translation of the body's pose at the start.
+// A StraightBody computes the place of the body at time s: an affine map whose translation is relative to that of the
+// pose at the start.
 //
-// Bound. An entry of a place is computed as x (1 - s) + y s, off by 3.01 u' of |x| (1 - s) + |y| s, and a translation
-// as s times a difference, off by 2.01 u' of itself. So places are within the bound of a TurningBody (turning_body.hpp)
-// that does not turn, with all magnitudes at the start, and s times those at the end, as its size.
+// Bound. Let x and y be an entry of the matrix at the start and at the end. The entry at time s is computed as x (1 -
+// s) + y s, off by 3.01 u' of |x| (1 - s) + |y| s. The translation is computed as s times a difference, off by 2.01 u'
+// of itself. So the error is bounded as for a TurningBody (turning_body.hpp) that does not turn and has the size `size`
+// + s `end_size`.
 // Claim: verify/proofs/turn_pieces.md
 struct StraightBody {
-    // `beside` is the distance to which rounding adds: the vector to the other body.
+    // Binds the tree and the poses at both ends. `beside` is the vector to the other body; its length adds to the
+    // rounding error.
     void bind(const MeshTree& tree, const Pose& at_start, const Pose& at_end, const Vec3& beside);
 
     TurningBody::Place place_at(double time) const { return {from->R * (1 - time) + to->R * time, time * way}; }
-    // Returns true if places are bounded.
+    // Returns true if the error bound of places holds.
     bool is_bounded() const noexcept { return size + end_size < 0x1p1000; }
-    // Returns what 512 u' is multiplied with to bound the place at a time.
+    // Returns a factor: the error of the place at `time` is at most 512 u' times the result.
     double rounding(double time) const noexcept { return size + time * end_size; }
 
     const Pose* from = nullptr;

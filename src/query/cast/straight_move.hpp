@@ -1,5 +1,5 @@
-// StraightMove is a body whose points move straight, from their places at a pose: to those at another pose, or all by
-// one translation.
+// StraightMove describes a body whose points move straight: from their places at one pose to their places at another
+// pose, or all by one translation.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 namespace ecods {
 
 struct StraightMove {
-    // Returns the pose at the end, its translation rounded once. A translation above 2^1020 is cut off there, where
-    // nothing in doubles is bounded (moving_points.hpp).
+    // Returns the pose at the end; its translation is rounded once. A translation above 2^1020 is limited to 2^1020,
+    // because bounds in doubles do not hold above it (moving_points.hpp).
     Pose rounded_end() const {
         if (!translation) return body.to;
         constexpr double unbounded = 0x1p1020;

@@ -1,5 +1,5 @@
 // TranslatedPairs bounds the times at which nodes and pairs of triangles of two meshes first share a point while one
-// mesh is translated. All questions about translations derive from it.
+// mesh is translated. All pair questions about translations derive from this class.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class TranslatedPairs {
         return true;
     }
 
-    // The search calls these two functions (query/search).
+    // Search calls the next two functions (query/search).
     float limit_above(double time) const noexcept { return axes_.window_above(time); }
     template <class X, class Y>
     std::uint64_t find_near(const X& x, const Y& y, float limit, LaneBounds& times) const noexcept {
@@ -33,8 +33,8 @@ class TranslatedPairs {
     }
 
   protected:
-    // Return the interval that TriangleContacts computes in doubles, and TriangleContacts itself for one exact
-    // decision. Both count the work.
+    // Return the interval that TriangleContacts computes in doubles, and a TriangleContacts for one exact decision.
+    // Both functions count the work.
     ContactInterval enclosed(const TrianglePair& pair) {
         ++counts_->enclosures;
         return contacts_.enclose(pair.a, pair.b);

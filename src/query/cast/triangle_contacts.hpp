@@ -1,4 +1,4 @@
-// TriangleContacts answers queries about the first contact of pairs of triangles, while the first mesh is translated.
+// TriangleContacts computes the first contact of pairs of triangles of two meshes, the first of which is translated.
 #pragma once
 
 #include <array>
@@ -30,17 +30,17 @@ class TriangleContacts {
     // Returns true if triangles i and j share a point at some time from 0 to `latest`.
     bool meet_by(std::uint32_t i, std::uint32_t j, double latest);
 
-    // Says how triangle i of the first mesh goes into triangle j of the second one, from time 0 to `end`.
+    // An Entry describes how triangle i of the first mesh goes into triangle j of the second one, from time 0 to `end`.
     struct Entry {
-        // `time` is the time at which the pair goes in properly (ContactTimes), rounded once; empty unless the real
-        // time is before `end`.
+        // `time` is the time at which the first triangle goes properly into the second one (ContactTimes), rounded
+        // once; empty if there is no such time before `end`, in real time.
         std::optional<double> time;
         // Bit e is set if edge e of triangle i is in the plane of triangle j and slides along it; bit 3 + e is set if
         // edge e of triangle j is in the plane of triangle i and slides along it.
         std::uint8_t sliding_edges = 0;
     };
-    // Looks for sliding edges only if `with_edges` is true and the pair does not go in properly. If `with_edges` is
-    // true, both triangles must have an area.
+    // Returns the Entry of triangles i and j. Searches for sliding edges only if `with_edges` is true and the pair does
+    // not go in properly. If `with_edges` is true, both triangles must have an area.
     Entry entry(std::uint32_t i, std::uint32_t j, double end, bool with_edges);
 
   private:

@@ -18,7 +18,7 @@ class TurnAndStraightPairs {
     // Binds a mesh that turns, and one that moves straight. All arguments must outlive this object.
     void bind(const Turning<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts);
 
-    // Do the same as the functions of these names in MovingPairs.
+    // The next two functions have the contracts of the functions with the same names in MovingPairs.
     std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 

@@ -1,4 +1,4 @@
-// TurnAndStraightQuestion asks for the first contact of a body that turns with one whose points move straight, in a
+// TurnAndStraightQuestion finds the first contact of a body that turns with a body whose points move straight, in one
 // piece of the time.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace ecods {
 
-// TurnAndStraightMotion is a turn and a straight motion, for MeetingQuestion.
+// TurnAndStraightMotion is the Motion of MeetingQuestion for a turn and a straight motion.
 //
-// In a piece every point of the body that turns is within a margin of a straight motion, at the same time of the piece
-// (both_turning_points.hpp). Points of the other body are on one.
+// In a piece, the distance of each point of the body that turns from a straight motion, at the same part of the time,
+// is at most a margin (both_turning_points.hpp). The points of the other body move straight, so they have no margin.
 // Claim: verify/proofs/turn_pieces.md
 class TurnAndStraightMotion : public TurnAndStraightPairs, public TurnPieces {
   public:

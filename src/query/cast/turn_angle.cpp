@@ -1,8 +1,8 @@
-// Computes the angle of a turn at a time, the time of an angle, and the turn about an axis by an angle. Each result is
-// the real number, rounded once: comparisons are decided in integers, with bounds of sines and cosines that are refined
-// until they decide. The refinement ends, because the angle at a rational time is irrational unless it is 0: it is
-// twice the angle of a vector with algebraic coordinates (theorem of Lindemann and Weierstrass). Since rounding is
-// monotonic, angles increase with time, and times with the angle.
+// This file computes the angle of a turn at a time, the time of an angle, and the turn about an axis by an angle. Each
+// result is the real number, rounded once: comparisons are decided in integers, with bounds of sines and cosines that
+// are refined until they decide. The refinement ends, because the angle at a rational time is irrational unless it is
+// 0: it is twice the angle of a vector with algebraic coordinates (theorem of Lindemann and Weierstrass). Since
+// rounding is monotonic, rounded angles do not decrease with time, and rounded times do not decrease with the angle.
 #include <array>
 #include <cmath>
 #include <string>
@@ -40,8 +40,8 @@ int compare_squares(const Integer& x, const Integer& u, const Integer& y, const 
     return 0;
 }
 
-// Returns the sign of (angle turned) - (angle given) for 0 <= angle < 6.3. The vector (a, b |v|) has half the angle
-// turned, f in [0, pi), and t is half the given one. sin(f - t) has the sign of b |v| cos t - a sin t.
+// Returns the sign of (angle of `turn`) - `angle`, for 0 <= angle < 6.3. Let f in [0, pi) be half the angle of the
+// turn, which the vector (a, b |v|) has, and t = angle / 2. Then sin(f - t) has the sign of b |v| cos t - a sin t.
 int compare_angle(const ExactTurn& turn, const BinaryFraction& angle) {
     const Integer size = exact::dot(turn.v, turn.v), bb = turn.b * turn.b, aa = turn.a * turn.a;
     if (turn.b.is_zero() || size.is_zero()) return angle.m.is_zero() ? 0 : -1;
@@ -57,7 +57,7 @@ int compare_angle(const ExactTurn& turn, const BinaryFraction& angle) {
     });
 }
 
-// Returns the double nearest to the angle turned at a time, given a guess of it.
+// Returns the double nearest to the angle of the turn at a time, given a guess of the angle.
 double angle_nearest_to(const Turn& turn, double time) {
     const Quaternion& q = turn.q;
     const double size = std::hypot(q.x, q.y, q.z);
@@ -76,7 +76,7 @@ double rounded_product(const BinaryFraction& t, bool is_sine, const Integer& squ
     if (square.is_zero()) return 0;
     const auto compare_magnitude = [&](const BinaryFraction& m) {
         return decide_by_cosine(t, [&](const CosineBounds& bounds) {
-            // Compares (bounds / scale)^2 square / all with (m / 2^bits)^2.
+            // Compares (value / scale)^2 square / all with (m / 2^bits)^2, where `value` is the cosine or the sine.
             const Integer& value = is_sine ? bounds.sin : bounds.cos;
             const Integer size = magnitude_of(value) << m.bits, off = bounds.off << m.bits;
             const Integer other = m.m * bounds.scale;

@@ -1,5 +1,5 @@
 // TurnBoxes computes boxes that contain a body while it turns, from a box that contains it at the start. A world uses
-// the boxes only to exclude bodies that cannot meet; no answer follows from a box.
+// the boxes only to exclude bodies that cannot meet; no result depends on a box.
 //
 // Bound. Every point of the body is a convex combination of the corners p of the box at the start, and remains the same
 // combination of the corners' places x, since these are affine in p. Let c be the pivot, m its glide, g = p - c, and G
@@ -30,12 +30,12 @@ class TurnBoxes {
   public:
     TurnBoxes(const Aabb& start, const Turn& turn);
 
-    // Says what visit() does after a piece.
+    // Next says what visit() does after a piece.
     enum class Next : std::uint8_t { go_on, divide, stop };
 
-    // Calls found(from, box, may_divide) for the pieces of the time from 0 to `latest`, earliest first; `box` contains
-    // the body in the piece, which begins at time `from`. If may_divide, the piece is long, and `found` may ask for its
-    // two parts. The box is infinite if no bound in doubles holds.
+    // Calls found(from, box, may_divide) for the pieces of the time from 0 to `latest`, earliest first. `box` contains
+    // the body in the piece, which begins at time `from`. If may_divide is true, the piece is long, and found() may
+    // return Next::divide to have its two parts visited instead. If no bound in doubles holds, the box is infinite.
     template <class Found>
     void visit(double latest, const Found& found) const {
         std::vector<End> ends{{latest, 0}};  // ends of the pieces left; the next one is last
@@ -56,7 +56,7 @@ class TurnBoxes {
         }
     }
 
-    // Returns a box that contains the body all the time.
+    // Returns a box that contains the body at all times from 0 to 1.
     Aabb whole() const;
 
   private:
@@ -72,7 +72,7 @@ class TurnBoxes {
     Piece piece_between(double from, double to) const;
     void include_places(const exact::HalfAngle& half, Aabb& box) const;
 
-    // Limits how often a piece is halved. Affects only the work.
+    // Limits how often a piece is halved. The limit affects only the cost.
     static constexpr int depth_max = 7;
 
     exact::TurnAngles angles_;

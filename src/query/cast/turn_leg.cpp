@@ -28,7 +28,7 @@ Vec3 rounded(const ScaledLongVector& num, const ScaledInteger& den) {
     return {rounded(num[0], den), rounded(num[1], den), rounded(num[2], den)};
 }
 
-// Returns the quaternion of the rotation from z0 to z1, each component rounded once.
+// Returns the quaternion of the rotation from z0 to z1; each component is rounded once.
 Quaternion quotient(const ExactQuaternion& z1, const ExactQuaternion& z0) {
     const ExactQuaternion z = times_conjugate(z1, z0);
     const ScaledInteger norm = z0.norm();
@@ -36,7 +36,7 @@ Quaternion quotient(const ExactQuaternion& z1, const ExactQuaternion& z0) {
     return {rounded(z.w, norm), v[0], v[1], v[2]};
 }
 
-// Returns true if the leg begins at the body's pose at the start.
+// Returns true if the leg begins at the body's pose `start`.
 bool begins_at_start(const TurnLeg& leg) {
     return leg.from == Quaternion() && leg.pivot == leg.pivot_from;
 }
@@ -45,8 +45,8 @@ exact::Point point_of(const Vec3& v) {
     return {v[0], v[1], v[2]};
 }
 
-// Limits all entries to 2^1020. Bounds do not hold above it (turning_points.hpp); sums below it may overflow to
-// infinity only.
+// Limits all entries of the pose to 2^1020. Error bounds do not hold above this limit (turning_points.hpp); below it,
+// sums can overflow only to infinity.
 void clamp(Pose& pose) {
     constexpr double unbounded = 0x1p1020;
     pose.R = pose.R.cwiseMax(-unbounded).cwiseMin(unbounded);
@@ -93,8 +93,9 @@ exact::PosedPoints<11> points_of(const TurnLeg& leg, const Pose& b, const Triang
     return points;
 }
 
-// The pose at time s has the matrix Q(z) R / N and the translation c + s m + Q(z) (t - pivot) / N, with z the
-// quaternion at that time and N its norm.
+// Returns the pose at time s, less `other`. That pose has the matrix Q(z) R / N and the translation c + s m + Q(z) (t -
+// pivot) / N, with z the quaternion at time s, N its norm, R and t the pose at the start, c the pivot's place at time 0
+// and m its way.
 Pose pose_less(const TurnLeg& leg, double time, const Pose& other) {
     const ScaledInteger s(time);
     const ExactQuaternion z0 = exact_quaternion(leg.from), z1 = exact_quaternion(leg.to),

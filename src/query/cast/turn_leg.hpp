@@ -13,8 +13,8 @@
 
 namespace ecods {
 
-// Describes how a body turns from one quaternion to another. `start` is its pose at the start of the way, and `pivot`
-// the place of the pivot at that time. During the leg the other body is translated by `motion`.
+// TurnLeg describes how a body turns from one quaternion to another. `start` is the pose of the body at the start of
+// its way, and `pivot` the place of the pivot at that time. During the leg the other body is translated by `motion`.
 struct TurnLeg {
     Pose start;
     Vec3 pivot;
@@ -30,13 +30,14 @@ TurnLeg leg_of(const Pose& start, const Turn& turn, const Vec3& motion = Vec3::Z
 TurnLeg leg_of(const Pose& start, std::span<const WayNode> nodes, std::size_t leg);
 std::size_t last_leg(std::span<const WayNode> nodes) noexcept;
 
-// Refers to the three corners of a triangle of each of two meshes.
+// TriangleCorners refers to the three corners of a triangle of each of two meshes.
 struct TriangleCorners {
     std::array<const Vec3*, 3> a, b;
 };
 TriangleCorners corners_of(const Mesh& a, std::uint32_t triangle_a, const Mesh& b, std::uint32_t triangle_b) noexcept;
 
-// Returns the points that TurningTriangles takes; number `origin_index` is the world's origin. Refers to all arguments.
+// points_of() returns the points that TurningTriangles takes, and refers to all its arguments. Point `origin_index` is
+// the world's origin.
 inline constexpr std::size_t origin_index = 8;
 exact::PosedPoints<11> points_of(const TurnLeg& leg, const Pose& b, const TriangleCorners& corners) noexcept;
 
@@ -60,7 +61,8 @@ struct RoundedLeg {
     exact::Point pivot{}, glide{};
     double way_size = 0;  // sum of the magnitudes of the pivot's way and of the other body's motion
 
-    // Returns the turn of rounded corners. `angles` must outlive the result.
+    // Returns the turn in doubles, as TurningSide takes it: the pivot at time 0 and its way, with error bounds.
+    // `angles` must outlive the result.
     exact::TurnOfPoints turn_of_points(const exact::TurnAngles& angles) const;
 };
 RoundedLeg round_leg(const TurnLeg& leg, const exact::MeshExtent& of_a, const Pose& b);

@@ -24,8 +24,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // costs; so 2^-10 takes the place of 2^-9.
 constexpr double wide_part = 0x1p-9, wide_part_of_many = 0x1p-10;
 constexpr double wide_min = 0x1p-13, narrow_min = 0x1p-18, reach_min = 0x1p-30;
-// A length below this one comes from what length_above() adds against underflow, not from the bodies. The bodies are
-// then points, which no change of units makes larger, and smaller pieces would be no nearer to straight.
+// Limits pieces from below. A length below this one does not come from the bodies, but from the term that
+// length_above() adds against underflow. The bodies are then almost points; no change of units makes them larger, and
+// smaller pieces would not be closer to a straight motion.
 constexpr double narrowest = 0x1p-580;
 constexpr std::uint64_t step_min = 512, triangles_per_step = 8, many = std::uint64_t{1} << 13;
 
@@ -79,7 +80,8 @@ void TurnPieces::set_places(const Places& a, const Places& b, const Vec3& betwee
 }
 
 std::optional<float> TurnPieces::first_of_boxes() {
-    // Compares balls around both bodies first, because floats cannot hold the way of a body whose pivot is very far.
+    // Compares balls around both bodies first, because floats cannot hold the way of a body whose pivot is very far
+    // away.
     const double reach = (balls_ + margin_) * (1 + 16 * two_u);
     for (int k = 0; k < 3; ++k) {
         const auto [low, high] = std::minmax(gaps_[0][k], gaps_[1][k]);
@@ -104,8 +106,9 @@ double TurnPieces::time_of(float bound) const noexcept {
     return std::max(from_, next_down(from_ + (to_ - from_) * times_.earliest(way)));
 }
 
-// At the part t of a piece's time, the straight motion has gone at most the part t / (pace (1 - t) + t) of its way: the
-// claim of TurnPiece has the proof. The bound is that of the next double, because a time above `time` may round to it.
+// Returns the bound for the double above `time`, because a time above `time` may round to it. At the part t of a
+// piece's time, the straight motion has gone at most the part t / (pace (1 - t) + t) of its way; the claim of TurnPiece
+// has the proof.
 float TurnPieces::bound_of(double time) const noexcept {
     const double last = next_up(time);
     if (!(last < to_)) return 1;

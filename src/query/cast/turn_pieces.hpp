@@ -1,5 +1,5 @@
-// TurnPieces is the motion of two bodies, of which one or both turn, in a piece of the time. A search sets one piece
-// after the other.
+// TurnPieces describes the motion of two bodies, of which at least one turns, in a piece of the time. A search sets one
+// piece after the other.
 #pragma once
 
 #include <array>
@@ -44,9 +44,10 @@ class TurnPieces {
     bool is_given_up() const noexcept { return step_count_ > step_max_; }
 
   protected:
-    // Describes both bodies. half_a and half_b are half the sizes of boxes around them at the start; `travel` bounds
-    // how far points of bodies that turn may go, and `size` is the sum of the magnitudes of their coordinates. If b
-    // changes its size, half_b is the greatest such vector, and `least_b` the least length of one.
+    // Bodies describes both bodies. half_a and half_b are half the sizes of boxes around the bodies at the start;
+    // `travel` is an upper bound of the way of points of bodies that turn, and `size` is the sum of the magnitudes of
+    // their coordinates. If b changes its size, half_b is the greatest vector of half sizes, and `least_b` the least
+    // length of such a vector.
     struct Bodies {
         const MeshShape &a, &b;
         Vec3 half_a, half_b;
@@ -58,11 +59,11 @@ class TurnPieces {
     // Sets the time of the piece. set_bounds() and set_places() must follow.
     void set_times(double from, double to) noexcept;
 
-    // Holds bounds that are valid in a piece.
+    // Bounds holds bounds that are valid in a piece.
     struct Bounds {
         double near;                    // upper bound of the bodies' distance from straight motions
-        MotionMargin parts;             // the same by parts
-        double rounding;                // places are off by at most 512 u' times this at the beginning
+        MotionMargin parts;             // upper bounds of the distance from straight motions, by parts
+        double rounding;                // at the beginning, places are off by at most 512 u' times this number
         double later = 0;               // is added to `rounding` at the end, and in proportion to the time before
         double pace;                    // pace of the straight motions (TurnPiece)
         bool is_bounded;                // true if places are bounded, and the rotations known at both ends
@@ -70,8 +71,8 @@ class TurnPieces {
         std::array<double, 2> lengths;  // lengths at both ends of the quaternions whose angle is divided
     };
     void set_bounds(const Bounds& bounds) noexcept;
-    // Binds the straight motions, between places at both ends; `between` is the vector from the translation of a's pose
-    // at the start to that of b's.
+    // Sets the straight motions, which go between the places of the bodies at both ends. `between` is the vector from
+    // the translation of a's pose at the start to the translation of b's pose.
     using Places = std::array<TurningBody::Place, 2>;
     void set_places(const Places& a, const Places& b, const Vec3& between);
 
@@ -81,7 +82,7 @@ class TurnPieces {
     std::optional<double> find_middle() const noexcept;
 
     std::array<TreeAtEnds, 2> trees_;
-    std::array<Vec3, 2> centers_{};  // of balls that contain the bodies, before their poses
+    std::array<Vec3, 2> centers_{};  // centers of balls that contain the bodies, before their poses
     double wide_ = 0, narrow_ = 0;
     double balls_ = 0;                     // sum of the radii of these balls
     std::array<Vec3, 2> gaps_{};           // from the center of b's ball to that of a's, at both ends

@@ -1,4 +1,5 @@
-// Computes poses of bodies that turn, in integers and rounded once, and the turn between two poses, in doubles.
+// This file computes poses of bodies that turn, in integers and rounded once, and the turn between two poses, in
+// doubles.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,8 +48,9 @@ Pose pose_at(const Pose& pose, const Turn& turn, double time) {
     return pose_less(leg_of(pose, turn), time, no_pose);
 }
 
-// The two places of a vertex v differ by D v + d, where D and d are the difference of the poses. Each entry of D and d
-// is rounded once, and products and sums as computed are off by less than 5 u' of the sum of magnitudes.
+// Returns an upper bound of the distance |D v + d| of the two places of a vertex v, where D and d are the difference of
+// the poses. Each entry of D and d is rounded once, and products and sums as computed are off by less than 5 u' of the
+// sum of magnitudes.
 // Claim: verify/proofs/turn_pieces.md
 double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const Pose& to) {
     validate(from);
@@ -63,7 +65,7 @@ double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const
         const Vec3 gap = difference.R * v + difference.t;
         const Vec3 off = 8 * two_u * (size * v.cwiseAbs() + difference.t.cwiseAbs());
         const Vec3 above = gap.cwiseAbs() + off;
-        // The sum of the coordinates is an upper bound, too, and is taken if squares may overflow.
+        // Takes the sum of the coordinates, which is an upper bound of the length, too, if squares may overflow.
         const double sum = above.sum(), length = sum < 0x1p500 ? std::sqrt(above.squaredNorm()) : sum;
         if (!(length <= most)) most = length;
     });
@@ -71,9 +73,9 @@ double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const
     return most < 0x1p1000 ? most * (1 + 8 * two_u) + 0x1p-500 : std::numeric_limits<double>::infinity();
 }
 
-// Let K be R1 R0^T, divided by the root of a third of its sum of squares: for poses that differ by a rotation, this
-// rotation. Its quaternion is computed by Shepperd's method (Quaternion from rotation matrix, 1978): the largest of the
-// four components comes first.
+// Returns the turn from pose 0 to pose 1, with the matrices R0 and R1. Let K be R1 R0^T, divided by the root of a third
+// of its sum of squares: if the poses differ by a rotation, K is that rotation. The quaternion of K is computed by
+// Shepperd's method (Quaternion from rotation matrix, 1978): the largest of the four components comes first.
 Turn between(const Pose& from, const Pose& to, const Vec3& pivot_in_body) {
     validate(from);
     validate(to);

@@ -1,4 +1,4 @@
-// vector_of returns the vector of a turn's quaternion.
+// vector_of() returns the vector part of a turn's quaternion.
 #pragma once
 
 #include "ecods/pose.hpp"

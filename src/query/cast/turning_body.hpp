@@ -1,5 +1,5 @@
-// TurningBody computes the places of a body that turns, and bounds its size and its way. The search of a piece of a
-// turn needs no more of the body.
+// TurningBody computes the places of a body that turns, and upper bounds of its size and its way, for the search of a
+// piece of a turn.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,16 @@
 
 namespace ecods {
 
-// Returns the sum of the magnitudes of the coordinates.
+// Returns the sum of the magnitudes of the coordinates of v.
 inline double sum_of(const Vec3& v) {
     return v.cwiseAbs().sum();
 }
 
-// Returns an upper bound of the length of v. Where the square of the length may overflow, it is the sum of magnitudes.
+// Returns an upper bound of the length of v: the sum of the magnitudes of its coordinates if the square of the length
+// may overflow.
 double length_above(const Vec3& v);
 
-// All places are relative to the translation of the body's pose at the start.
+// All places of the body are relative to the translation of its pose at the start.
 //
 // Bound. Each entry of a place is computed like a corner in turning_points.hpp, from exact numbers or from a pivot that
 // is off by u' of itself. An entry of the matrix is off by less than u' (140 (1 + k) |sin| + 8) times the sum of the
@@ -35,13 +36,13 @@ double length_above(const Vec3& v);
 // bodies turn, each adds its own bound.
 // Claim: verify/proofs/turn_pieces.md
 struct TurningBody {
-    // `way` is the glide. `size_of_way` is the sum of the magnitudes of the ways whose difference is the glide.
-    // `beside` is the vector to the other body; its size adds to rounding errors.
+    // Binds the body to its turn. `way` is the glide of the pivot. `size_of_way` is the sum of the magnitudes of the
+    // ways whose difference is the glide. `beside` is the vector to the other body; its size adds to rounding errors.
     void bind(const MeshTree& tree, const Mat3& R, const exact::TurnAngles& turn_angles, const Vec3& pivot_at_start,
               const Vec3& way, double size_of_way, const Vec3& beside);
 
-    // Throws NotSupported if the turn or its size is beyond the limits up to which bounds in doubles exclude anything:
-    // all pairs of triangles would be decided exactly. `sizes` is the size of both bodies together.
+    // Throws NotSupported if the turn or its size exceeds the limits of bounds in doubles. Without this error, all
+    // pairs of triangles would be decided exactly. `sizes` is the size of both bodies together.
     void require_moderate(double sizes) const;
 
     struct Place {
@@ -50,12 +51,13 @@ struct TurningBody {
     };
     Place place_at(const exact::HalfAngle& half) const;
 
-    // Returns the margin of points that leave their chords by `sagitta` times their distance from the axis.
+    // Returns the margin of points whose distance from their chords is at most `sagitta` times their distance from the
+    // axis.
     MotionMargin::Across across(double sagitta) const;
     // Returns true if the error bounds of places hold at all times at which the rotation is known.
     bool is_bounded() const noexcept { return angles->is_bounded() && size + arm + way_size < 0x1p1000; }
-    // Return the factors of 512 u' in the error bound of places between two times: that at the first time, and what is
-    // added to it at the last one.
+    // Return the factors of 512 u' in the error bound of places between two times: the factor at the first time, and
+    // the number that is added to the factor at the last time.
     double rounding(const exact::HalfAngle& from, const exact::HalfAngle& to) const noexcept {
         const double condition = std::max(from.condition, to.condition);
         const double turned = (1 + condition) * std::max(std::abs(from.sin), std::abs(to.sin)) * (size + arm);

@@ -27,8 +27,8 @@ void TurnMotion::set_piece(double from, double to) {
     const exact::HalfAngle start = angles().at(from_), end = angles().at(to_);
     const exact::TurnPiece piece = angles().piece(start, end);
     const auto [least, most] = std::minmax(start.condition, end.condition);
-    // The rotation is known nowhere between two ends at which it is not known: h is convex, so the times at which
-    // condition_max h is at most 1 - s + s |w| are an interval.
+    // If the rotation is known at neither end of the piece, it is known nowhere in the piece: h is convex, so the times
+    // at which condition_max h is at most 1 - s + s |w| are an interval.
     constexpr double known = exact::TurnAngles::condition_max;
     const double share = (to_ - from_) * piece.shift * (1 + 4 * two_u);
     set_bounds({.near = body_.radius * piece.sagitta + body_.way_length * (to_ - from_) * piece.shift,

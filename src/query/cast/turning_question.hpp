@@ -1,5 +1,5 @@
-// TurningQuestion asks for the first contact of a body that turns with one that is translated or at rest, in a piece of
-// the turn.
+// TurningQuestion finds the first contact of a body that turns with a body that is translated or at rest, in one piece
+// of the turn.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace ecods {
 
 // TurnMotion is the Motion of MeetingQuestion for a body that turns.
 //
-// In a piece every point of the body is within a margin of a straight motion (turning_points.hpp).
+// In a piece, the distance of each point of the body from a straight motion is at most a margin (turning_points.hpp).
 // Claim: verify/proofs/turn_pieces.md
 class TurnMotion : public TurningPairs, public TurnPieces {
   public:

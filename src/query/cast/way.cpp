@@ -1,4 +1,4 @@
-// Checks motions and the nodes of ways, and computes poses on them.
+// This file checks motions and the nodes of ways, and computes the poses of bodies on ways.
 #include "ecods/turn.hpp"
 
 #include <array>
@@ -26,7 +26,7 @@ void require_finite(const WayNode& node, std::size_t index) {
     }
 }
 
-// Returns true if q makes no rotation: w is positive, and x, y and z are zero.
+// Returns true if q is a positive number, so that its rotation is the identity: w is positive, and x, y and z are zero.
 bool is_at_start(const Quaternion& q) noexcept {
     return key_of(q.w) > 0 && is_zero(Vec3(q.x, q.y, q.z));
 }

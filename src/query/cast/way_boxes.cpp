@@ -15,7 +15,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double pivot_max = 0x1p1000;
 
-// Compares coordinates one by one, because a NaN is below no limit.
+// Returns true if all coordinates of v are below the limit. Compares them one by one, because a NaN is below no limit.
 bool is_below_max(const Vec3& v) {
     return std::abs(v[0]) < pivot_max && std::abs(v[1]) < pivot_max && std::abs(v[2]) < pivot_max;
 }

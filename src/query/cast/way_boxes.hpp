@@ -1,5 +1,5 @@
-// WayBoxes computes boxes that contain a body on the legs of a way, from a box that contains it at the start. They
-// serve to leave out bodies; no answer follows from a box.
+// WayBoxes computes boxes that contain a body on the legs of a way, from a box that contains it at the start. The boxes
+// only exclude bodies that cannot meet; no result depends on a box.
 //
 // Bound. A body is rigid, so each of its points keeps its distance from the pivot. The distance is a convex function of
 // the point, so at the start it is greatest at a corner of the box: at most |h|, with h the greatest |p - c| on each
@@ -20,12 +20,12 @@ namespace ecods {
 
 class WayBoxes {
   public:
-    // Refers to the nodes, which must be valid.
+    // Refers to the nodes, which must be valid. `start` contains the body at the start.
     WayBoxes(const Aabb& start, std::span<const WayNode> nodes);
 
-    // Returns a box that contains the body on a leg. It has no ends where numbers are above 2^1000.
+    // Returns a box that contains the body on a leg. Where coordinates may exceed 2^1000, the box is unbounded.
     Aabb of(std::size_t leg) const;
-    // Returns a box that contains the body all the way.
+    // Returns a box that contains the body on all legs.
     Aabb whole() const;
 
     // Returns a double that is less than the share of the time at which the leg begins (motion.hpp).

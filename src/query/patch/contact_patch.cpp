@@ -32,7 +32,8 @@ void require_valid(const PatchLimits& limits) {
     }
 }
 
-// Returns the shape as an S, which is a final class; null if it is none. Faster than dynamic_cast.
+// Returns the shape as an S, or null if the shape is not an S. S must be a final class: comparing typeid is then
+// enough, and faster than dynamic_cast.
 template <class S>
 const S* as(const Shape& shape) noexcept {
     static_assert(std::is_final_v<S>);
@@ -46,7 +47,7 @@ const Rounded* as_rounded(const Shape& shape) noexcept {
     return kind == ShapeKind::rounded() || kind == ShapeKind::rounded_convex() ? as<Rounded>(shape) : nullptr;
 }
 
-// Returns a convex solid itself, and the core of a Rounded if the core is convex; otherwise null.
+// Returns the shape if it is a ConvexSolid, or its core if it is a Rounded with a convex core; otherwise null.
 const MeshShape* find_core(const Shape& shape) noexcept {
     if (const Rounded* const rounded = as_rounded(shape))
         return convex::is_convex_core(rounded->core()) ? &rounded->core() : nullptr;
@@ -68,7 +69,7 @@ double radius_of(const Shape& shape) noexcept {
 }
 
 // Returns the patch of two spheres or capsules if it has one corner and fixed precision decides it; otherwise nullopt.
-// Patches of parallel segments, and of features within a tilt, are left to patch_of_hulls().
+// Parallel segments, and limits that allow a tilt (min_cos_squared < 1), are left to patch_of_hulls().
 std::optional<ContactPatch> find_fixed(const Posed<Shape>& a, const Posed<Shape>& b, const PatchLimits& limits) {
     const Rounded* const x = as_rounded(*a.what);
     const Rounded* const y = as_rounded(*b.what);

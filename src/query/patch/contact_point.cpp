@@ -1,4 +1,4 @@
-// Computes where two bodies first touch while one is translated, and along which normal.
+// This file computes the point and the normal of the first contact of two bodies, one of which is translated.
 //
 // Time and point. With w from the first corner of a's feature to that of b's, edges u of a and v of b, a face's normal
 // n, and the motion m, the features share a point at the time
@@ -53,7 +53,8 @@ std::array<ScaledLongVector, 3> corners_of(const Posed<MeshShape>& body, std::ui
     return corners;
 }
 
-// ExactFeature is a feature with its exact corners: first the vertex, the ends of the edge, or the corners of the face.
+// ExactFeature is a feature of a triangle, with the exact corners of this triangle: first the vertex, the ends of the
+// edge, or the corners of the face.
 struct ExactFeature {
     ExactFeature(const Posed<MeshShape>& body, const Feature& feature) : kind(feature.kind) {
         const auto all = corners_of(body, feature.triangle);
@@ -79,7 +80,8 @@ std::size_t axis_of(const ScaledLongVector& v) noexcept {
     return k;
 }
 
-// Returns nullopt if the features are parallel to the motion, so that no FirstContact names them.
+// Returns the time and the point at which a's feature, translated by m, meets b's feature. Returns nullopt if the
+// features are parallel to the motion, so that no FirstContact names them.
 std::optional<ExactContact> find_contact(const ExactFeature& a, const ExactFeature& b, const ScaledLongVector& m) {
     const ScaledLongVector w = minus(b.at[0], a.at[0]);
     ExactContact contact;
@@ -114,7 +116,8 @@ std::optional<ExactContact> find_contact(const ExactFeature& a, const ExactFeatu
     return contact;
 }
 
-// Projection is a vector c of the cone: a positive multiple of v, with |c|^2 = square / of_square.
+// Projection is a candidate c for the projection of m onto the cone: a positive multiple of v, with |c|^2 = square /
+// of_square.
 struct Projection {
     ScaledLongVector v;
     ScaledInteger square, of_square;
@@ -150,7 +153,7 @@ std::optional<Projection> project(const ScaledLongVector& m, std::span<const Sca
     return best;
 }
 
-// Returns true if triangles without area are part of the body: it is a surface, a segment or a point.
+// Returns true if triangles without area belong to the body, because its shape is a surface, a segment or a point.
 bool has_flat_triangles(const MeshShape& shape) {
     return shape.form() == MeshForm::surface ||
            (shape.form() == MeshForm::convex && static_cast<const ConvexSolid&>(shape).dimension() < 2);

@@ -12,10 +12,10 @@ namespace {
 
 using convex::LeastPairs;
 
-// Names the places on a closed edge, in its direction.
+// A Place is the place of a patch's corner on a closed edge, in the direction of the edge.
 enum class Place : std::uint8_t { beginning, inside, end };
 
-// Holds the corners of the patch that are on one closed edge of a polygon.
+// A Side holds the corners of the patch that are on one closed edge of a polygon.
 struct Side {
     struct End {
         std::size_t corner;
@@ -99,7 +99,7 @@ class Ring {
         known_ = x.place < y.place ? Step(x.corner, y.corner) : Step(y.corner, x.corner);
     }
 
-    // Returns the step from a corner where two edges cross: it goes along the edge that turns left.
+    // Returns the step from a corner where two edges cross to the next corner, which is on the edge that turns left.
     Step direction_at(std::size_t corner, const Turn& turn) const {
         const std::size_t of = turn.of(corners_[corner]) > 0 ? 1 : 0;
         const Side& side = sides_[of][polygons_[of].index_of(corners_[corner][of])];

@@ -23,8 +23,8 @@ namespace ecods::patches {
 using convex::HullFeaturePair;
 using Polygons = std::array<Polygon, 2>;
 
-// A Turn answers for two edges that cross: the sign of the turn from the first polygon's edge to the second's, each in
-// the direction of its polygon.
+// Turn::of() returns the sign of the turn from the first polygon's edge to the second's, for two edges that cross. Each
+// edge has its direction in its polygon.
 class Turn {
   public:
     virtual int of(const HullFeaturePair& edges) const = 0;
@@ -33,8 +33,8 @@ class Turn {
     ~Turn() = default;
 };
 
-// Puts the corners, which are all of the intersection, in counterclockwise order around the normal. The corner at
-// `first` becomes the first one.
+// Sorts the corners counterclockwise around the normal, beginning with the corner at index `first`. `corners` must
+// contain all corners of the intersection of the polygons.
 void order_around(const Polygons& polygons, std::size_t first, convex::LeastPairs& corners, const Turn& turn);
 
 }  // namespace ecods::patches

@@ -1,5 +1,5 @@
-// Answers depth_points() and depth_along(): how deep two convex solids overlap, with the deepest points, and along a
-// direction.
+// This file implements depth_points() and depth_along(): the depth of two overlapping convex solids with the deepest
+// points, and their depth along a direction.
 #include <optional>
 
 #include "ecods/contact.hpp"

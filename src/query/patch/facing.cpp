@@ -27,8 +27,9 @@ class Facing {
     Facing(const HullInSpace& body, const ExactNormal& normal, bool is_against, double min_cos_squared)
         : body_(body), hull_(body.hull), normal_(normal), is_against_(is_against), limit_(min_cos_squared) {}
 
-    // Returns the face with the greatest cosine, if it is within the tilt. Among equal cosines it is the face with the
-    // least index, which has the least name.
+    // Returns, of the faces at `support`, the face whose normal has the least angle to the patch's normal (or its
+    // opposite if is_against_), if the squared cosine is at least min_cos_squared; otherwise nullopt. If several faces
+    // have equal angles, returns the face with the least index, which has the least name.
     std::optional<HullFeature> face_at(const HullFeature& support) const {
         std::optional<Square> best;
         HullFeature result{Kind::face, 0};
@@ -42,8 +43,8 @@ class Facing {
         return best ? std::optional(result) : std::nullopt;
     }
 
-    // Returns the edge at a vertex with the least angle to the plane perpendicular to the normal, if it is within the
-    // tilt.
+    // Returns, of the edges at a vertex, the edge with the least angle to the plane perpendicular to the normal, if the
+    // squared sine is at most 1 - min_cos_squared; otherwise nullopt.
     std::optional<HullFeature> edge_at(std::uint32_t vertex) const {
         const ScaledInteger most = ScaledInteger(1.0) - limit_;
         std::optional<Square> best;
@@ -62,8 +63,8 @@ class Facing {
     }
 
   private:
-    // Returns the square of the cosine of the angle between a face's outer normal and the normal out of this body;
-    // nullopt if the cosine is not positive. A flat hull has outer normals on both sides.
+    // Returns the square of the cosine of the angle between a face's outer normal and the patch's normal (or its
+    // opposite if is_against_); nullopt if the cosine is not positive. A flat hull has outer normals on both sides.
     std::optional<Square> cosine_of(std::uint32_t face) const {
         const ScaledLongVector m = face_normal(body_, face);
         const ScaledInteger along = dot(m, normal_.n);

@@ -1,12 +1,12 @@
-// Finds the face or edge of a convex body that faces a normal within a tilt, if the support feature is an edge or a
-// vertex.
+// This header finds the face or edge of a convex body that faces a normal within a tilt, if the support feature is an
+// edge or a vertex.
 #pragma once
 
 #include "query/patch/seen_along.hpp"
 
 namespace ecods::patches {
 
-// HullInSpace is a hull at its pose.
+// HullInSpace is a hull with its vertices and its pose.
 struct HullInSpace {
     HullInSpace(const convex::Hull& of, const Mesh& vertices, const Pose& at, bool reflects) noexcept
         : hull(of), mesh(vertices), pose(at), is_mirrored(reflects) {}

@@ -30,8 +30,8 @@ std::optional<FixedCorners> FixedCorners::of(convex::PosedHulls& hulls, const co
     return result;
 }
 
-// Chooses the unit such that points, the translation and the radii are below 2^120, and sums of two of them below
-// 2^121.
+// Sets unit_ such that the coordinates of points, the translation and the radii are below 2^120 units, and sums of two
+// of them below 2^121. Returns false if all numbers are zero, or if the points are not exact enough in this unit.
 bool FixedCorners::bind() {
     constexpr int digits = 120;
     const bool is_exact = hulls_->has_fixed_points();
@@ -76,7 +76,9 @@ std::array<FixedCorners::WorldPoint, 2> FixedCorners::ends_of(std::size_t side, 
     return {at(side, ends[0]), at(side, ends[1])};
 }
 
-// Finds w by the features that measure the least difference, and the normal from a to b, or out of a.
+// Sets shift_ to the vector w (fixed_corners.hpp) and to its direction, from a to b, or out of a if the difference is a
+// depth. Computes w from the features that have the least difference. Returns false if fixed precision does not
+// determine w.
 bool FixedCorners::find_shift(const convex::LeastDifference& least) {
     std::array<std::array<IntegerVector, 3>, 2> x;
     std::array<std::size_t, 2> count{};
@@ -126,7 +128,8 @@ void FixedCorners::set_vertex(const HullFeaturePair& pair, Coordinates& to) cons
     }
 }
 
-// A coordinate that all points of an edge have is taken from that edge, and is exact if points are.
+// Sets the points at which edge u of the first body and edge v of the second body, moved by -w, cross. If a coordinate
+// is constant and exact along v, but not constant along u, takes the coordinate from v; otherwise computes it from u.
 bool FixedCorners::set_crossing(const HullFeaturePair& edges, Coordinates& to) const {
     const auto p = ends_of(0, edges[0].index), q = ends_of(1, edges[1].index);
     const std::uint64_t of_p = p[0].error + p[1].error, of_q = q[0].error + q[1].error;
@@ -154,7 +157,7 @@ bool FixedCorners::set_crossing(const HullFeaturePair& edges, Coordinates& to) c
     return true;
 }
 
-// Moves the points from the cores to the surfaces.
+// Moves both points of a corner from the surfaces of the cores to the surfaces of the rounded bodies.
 void FixedCorners::add_radii(Coordinates& to) const noexcept {
     const exact::FixedRadius of_a(radii_.a, unit_), of_b(radii_.b, unit_);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -166,7 +169,7 @@ void FixedCorners::add_radii(Coordinates& to) const noexcept {
     }
 }
 
-// Across the normal, a coordinate is often the same in both points: it is rounded once.
+// Rounds a coordinate once if it is the same in both points, as coordinates across the normal often are.
 bool FixedCorners::round(const HullFeaturePair& pair, PatchCorner& corner) const {
     Coordinates of;
     if (pair[0].kind == Kind::vertex || pair[1].kind == Kind::vertex) {

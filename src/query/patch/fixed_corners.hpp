@@ -1,8 +1,10 @@
-// Rounds the corners of a least difference in fixed precision.
+// FixedCorners rounds the corners of a patch in fixed precision, if the patch is made by features at the least
+// difference.
 //
-// All pairs of points at the least difference differ by one vector w (closest_hulls.hpp). So a corner with a vertex has
-// the vertex as one of its points, and w, added or subtracted, gives the other one. Where two edges cross, the point of
-// the first one follows from the second edge moved by -w, in a plane of two coordinates.
+// All pairs of points at the least difference differ by one vector w (closest_hulls.hpp). If a feature of a corner is a
+// vertex, this vertex is one of the corner's two points, and the other point is the vertex plus or minus w. If the
+// features are two edges, the point on the first edge is its intersection with the second edge moved by -w, computed in
+// two of the coordinates.
 #pragma once
 
 #include <array>
@@ -18,14 +20,15 @@ namespace ecods::patches {
 
 class FixedCorners {
   public:
-    // Returns nullopt if the points do not fit, or w is not known well enough. The arguments must outlive this object.
+    // Returns the corners of `least`; nullopt if the points do not fit in fixed precision, or if it does not determine
+    // w. The arguments must outlive the result.
     static std::optional<FixedCorners> of(convex::PosedHulls& hulls, const convex::LeastDifference& least,
                                           const exact::Radii& radii);
 
-    // Sets both points and the middle of a corner that is made by features with the least difference; returns false if
-    // a rounding is not certain.
+    // Sets both points and the middle of the corner at which the features of `pair` have the least difference. Returns
+    // false if a rounding is not certain.
     bool round(const convex::HullFeaturePair& pair, PatchCorner& corner) const;
-    // Returns w in units of fixed points (posed_hulls.hpp), if it is known exactly.
+    // Returns w in units of fixed points (posed_hulls.hpp) if w is known exactly; otherwise nullopt.
     std::optional<exact::IntegerVector> way() const noexcept;
     // Returns the least difference less the radii, as a signed distance; nullopt if its rounding is not certain.
     std::optional<double> distance() const noexcept;
@@ -36,7 +39,7 @@ class FixedCorners {
         exact::IntegerVector x;
         std::uint64_t error;
     };
-    // Coordinates are those of both points of a corner, and of their sum.
+    // Holds the coordinates of both points of a corner, and of their sum.
     struct Coordinates {
         std::array<exact::FixedNumber, 3> a, b, sum;
     };

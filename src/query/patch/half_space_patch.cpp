@@ -24,7 +24,7 @@ namespace {
 
 using half_spaces::HeightBounds;
 
-// Returns true if the pose reflects. Throws SingularPose.
+// Returns true if the pose reflects. Throws SingularPose, with `argument`, if the pose is singular.
 bool is_mirrored(const Pose& pose, int argument) {
     const Sign sign = convex::orientation(convex::rows_of(pose, [](double r) { return r; }), pose);
     if (sign == Sign::zero) throw SingularPose(argument);
@@ -115,7 +115,8 @@ class PlanePatch {
         return vertices;
     }
 
-    // A vertex p whose height, times |N|, is h has the foot p - h N / N.N.
+    // Returns the corner whose points are a vertex p and its foot p - h N / N.N in the plane. N is the plane's normal,
+    // and h the height of p, times |N|.
     LongCorner corner(std::uint32_t vertex) const {
         const half_spaces::Plane::Exact& exact = plane_.exact();
         LongCorner result;

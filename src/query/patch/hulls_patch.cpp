@@ -43,8 +43,8 @@ class HullsPatch final : public Turn {
     }
 
   private:
-    // Finds the least difference, and its size. If the solids may touch, the depth is tried first, which decides that
-    // much faster than the distance.
+    // Sets least_ to the least difference of the hulls, and core_distance_ to their distance or depth. If the solids
+    // may touch, tries find_deepest() first, because it is much faster than the distance.
     void find_least(depths::DepthMemory& memory, PairWitness& witness) {
         const convex::QuickClosest quick = convex::find_quickly(hulls_, &witness);
         if (quick.may_touch(hulls_) && find_deepest(memory, witness)) return;
@@ -98,7 +98,7 @@ class HullsPatch final : public Turn {
         return {polygon_of({hulls_, 0}, parts[0], normal_, false), polygon_of({hulls_, 1}, parts[1], normal_, true)};
     }
 
-    // Returns true if pair x comes before pair y in the order of ClosestPoints.
+    // Returns true if pair x is before pair y in the order of ClosestPoints.
     bool is_before(const HullFeaturePair& x, const HullFeaturePair& y) const {
         const auto names = [&](const HullFeaturePair& pair) {
             const auto count = [&](std::size_t side) { return static_cast<std::size_t>(pair[side].kind) + 1; };
@@ -108,7 +108,7 @@ class HullsPatch final : public Turn {
         return rank(names(x)) < rank(names(y));
     }
 
-    // Makes the patch of the support features; all its gaps are equal.
+    // Computes the corners of the patch of the support features, whose gaps are all equal.
     void use_least() {
         if (is_gap_too_large()) return;
         convex::list_least(hulls_, least_, core_distance_, fixed_ ? fixed_->way() : std::nullopt, pairs_);
@@ -130,8 +130,8 @@ class HullsPatch final : public Turn {
         keep_corners(patch_, limits_.max_corners, LeastCorners(*this));
     }
 
-    // LeastCorners makes the exact corners of the least difference, each when it is needed, as a point of either body:
-    // their order and areas, seen along the normal, are the same for both.
+    // LeastCorners computes the exact position of a corner of the least difference when the position is needed, as a
+    // point of either body: the order and the areas of the corners, seen along the normal, are the same on both bodies.
     class LeastCorners final : public ExactCorners {
       public:
         explicit LeastCorners(HullsPatch& of) noexcept : of_(of) {}
@@ -156,7 +156,8 @@ class HullsPatch final : public Turn {
         HullsPatch& of_;
     };
 
-    // Compares the gap with max_gap. Rounding is monotonic, so the rounded gap decides unless it equals the limit.
+    // Returns true if the gap exceeds max_gap. Rounding is monotonic, so the rounded gap decides unless it equals the
+    // limit.
     bool is_gap_too_large() {
         const std::int64_t gap = key_of(patch_.distance), limit = key_of(limits_.max_gap);
         if (gap != limit || limit == infinity_key) return gap > limit;
@@ -166,8 +167,8 @@ class HullsPatch final : public Turn {
         return cores.sign() < 0 && exact::compare(square, -cores) < 0;
     }
 
-    // Returns the sign of the turn between two edges that cross, each in the direction of its polygon. Their cross
-    // product is along the normal, or against it.
+    // Returns the sign of the turn between two edges that cross, each in the direction of its polygon. The cross
+    // product of the edges is parallel to the normal.
     int of(const HullFeaturePair& edges) const override {
         std::array<convex::HullVertex, 6> vertices;
         for (const std::size_t side : {0, 1}) {
@@ -186,7 +187,8 @@ class HullsPatch final : public Turn {
                                    });
     }
 
-    // Makes the patch of features that face the normal within the tilt; each corner has a gap of its own.
+    // Computes the corners of the patch of two features that face the normal within the tilt; each corner has a gap of
+    // its own.
     void use_facing(const HullFeaturePair& facing) {
         const Polygons polygons = polygons_of(facing);
         SeenAlong seen(hulls_, polygons, normal_);
@@ -224,12 +226,12 @@ class HullsPatch final : public Turn {
     std::optional<Reach> reach_;  // made when it is needed
     const PatchLimits& limits_;
     convex::LeastDifference least_;
-    double core_distance_ = 0;  // or the depth of the cores
+    double core_distance_ = 0;  // distance of the cores, or their depth
     std::optional<FixedCorners> fixed_;
     ExactNormal normal_;  // set by set_normal()
     bool has_normal_ = false;
     convex::LeastPairs pairs_;
-    const Polygons* polygons_ = nullptr;  // those of `least_`
+    const Polygons* polygons_ = nullptr;  // the polygons of least_.parts
     ContactPatch patch_;
 };
 

@@ -8,15 +8,17 @@
 
 namespace ecods::patches {
 
-// Returns the patch; the limits must be valid. The search starts from `witness`, and sets it to the pair that it found.
+// Returns the contact patch of the hulls with `radii`; the limits must be valid. Starts the search from the pair of
+// triangles in `witness`, and sets `witness` to the pair that the search found.
 ContactPatch patch_of_hulls(convex::PosedHulls& hulls, const exact::Radii& radii, const PatchLimits& limits,
                             QueryMemory& memory, PairWitness& witness);
 
-// Sets corner_count to the number of corners, and then removes those that choose_corners() leaves out; max_corners = 0
-// keeps all. The corners must be in order around the normal. `exact` must have their exact positions on either body.
+// Sets corner_count to the number of corners, and then removes all corners that choose_corners() does not choose;
+// max_corners = 0 keeps all corners. The corners must be in order around the normal. `exact` must return the exact
+// positions of the corners on either body.
 void keep_corners(ContactPatch& patch, std::uint32_t max_corners, const ExactCorners& exact);
 
-// ListedCorners refers to a list of exact corners.
+// ListedCorners returns exact corners from a list.
 class ListedCorners final : public ExactCorners {
   public:
     ListedCorners(const std::vector<LongPoint>& points, const ScaledLongVector& normal) noexcept

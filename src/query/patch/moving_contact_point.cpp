@@ -1,4 +1,4 @@
-// Computes where bodies that turn, or that move from pose to pose, first touch, and along which normal.
+// This file computes the point and the normal of the first contact of bodies that turn, or that move from pose to pose.
 #include <array>
 #include <optional>
 
@@ -22,7 +22,7 @@ using exact::Polynomial;
 
 using Triangles = std::array<std::uint32_t, 2>;
 
-// Returns the pair of features; nullopt if the contact names none of these bodies.
+// Returns the pair of features that the contact names; nullopt if they are no features of bodies a and b.
 std::optional<exact::FeaturePair> features_of(const FirstContact& contact, const MeshShape& a, const MeshShape& b) {
     const auto is_of = [](const Feature& feature, const MeshShape& shape) {
         return feature.kind != Feature::Kind::none && feature.corner < 3 &&
@@ -86,8 +86,8 @@ std::optional<MeetingPlace> find_place(const Moving<MeshShape>& a, const Moving<
     });
 }
 
-// Returns the contact point of two bodies whose poses at time 0 are those of `a` and `b`. If the contact is after time
-// 0, find(features) must return its place.
+// Returns the contact point of two bodies, which have the poses of `a` and `b` at time 0. If the contact is after time
+// 0, calls find(features), which must return the place where the features meet, or nullopt.
 template <class Find>
 ContactPoint answer(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const FirstContact& contact, const Ask& ask,
                     const Find& find) {

@@ -13,7 +13,7 @@ namespace {
 
 using exact::Integer;
 
-// Returns num / den + along n / |n|.
+// Returns num / den + along n / |n|, with n the normal; each coordinate is rounded once.
 Vec3 round_point(const ScaledLongVector& num, const ScaledInteger& den, const ScaledInteger& along,
                  const ExactNormal& normal) {
     Vec3 result;
@@ -36,7 +36,7 @@ ScaledLongVector sum_over_common(const LongPoint& x, const LongPoint& y) {
     return sum;
 }
 
-// Returns (gap of the cores) - (sum of the radii) - d.
+// Returns the difference (gap of the cores) - (sum of the radii) - d.
 exact::RootSum gap_beyond(const LongCorner& exact, const Reach& reach, const ExactNormal& normal, double d) {
     return exact::root_sum(-reach.sum.plus(d).scaled(), Integer(std::int64_t{1}), exact.num,
                            exact.den * exact.den * normal.square);

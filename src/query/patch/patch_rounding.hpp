@@ -1,4 +1,4 @@
-// Rounds the numbers of a patch's corners, each once.
+// This header rounds the points and the gaps of a patch's corners; each number is rounded once.
 #pragma once
 
 #include "ecods/contact.hpp"
@@ -20,15 +20,15 @@ struct Reach {
     static ScaledInteger half_of(const ScaledInteger& x) { return {x.m(), x.e() - 1}; }
 };
 
-// Sets both points and the middle of a corner that two features with the least difference make. `normal` is used only
-// if there are radii.
+// Sets both points and the middle of the corner that the features of `pair`, which have the least difference, make.
+// `normal` is used only if a radius is not 0.
 void round_least(convex::PosedHulls& hulls, const HullFeaturePair& pair, const Reach& reach, const ExactNormal& normal,
                  PatchCorner& corner);
 
-// Sets both points, the middle and the gap of any corner.
+// Sets both points, the middle and the gap of a corner with the exact position `exact`.
 void round_corner(const LongCorner& exact, const Reach& reach, const ExactNormal& normal, PatchCorner& corner);
 
-// Returns the sign of (gap of the cores) - (sum of the radii) - d. d must be finite.
+// Returns the sign of (gap of the cores) - (sum of the radii) - d, for a finite d.
 int compare_gap(const LongCorner& exact, const Reach& reach, const ExactNormal& normal, double d);
 
 }  // namespace ecods::patches

@@ -1,4 +1,4 @@
-// Polygon is a feature of a hull as a convex polygon that is seen along a normal: a vertex, an edge or a face.
+// A Polygon is a vertex, an edge or a face of a hull, as a convex polygon that is seen along a normal.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Polygon {
 
     HullFeature vertex(std::size_t i) const noexcept { return {Feature::Kind::vertex, corners[i].vertex}; }
     HullFeature edge(std::size_t i) const noexcept { return {Feature::Kind::edge, corners[i].edge}; }
-    // Returns the number of the polygon's vertex or edge that is this feature. Searches from vertex `start` on.
+    // Returns the index of the polygon's vertex or edge `part`. Searches the polygon from vertex `start` on.
     std::size_t index_of(const HullFeature& part, std::size_t start = 0) const noexcept;
 
     HullFeature feature;

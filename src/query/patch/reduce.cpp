@@ -32,10 +32,10 @@ struct Quotient {
     ScaledInteger num, den{1.0};
 };
 
-// Triangles has the areas of the triangles that the first point makes with two others, seen along the normal, in
-// doubles and exactly. Let exact point i be N_i / d_i, and M_i = N_i d_0 - N_0 d_i. The area of triangle (0, i, j),
-// times 2 |n| d_0^2, is [n, M_i, M_j] / (d_i d_j); this factor is left out everywhere. A sum of areas has the
-// denominators of its own points only.
+// Triangles computes the areas of the triangles that the first point makes with two other points, seen along the
+// normal, in doubles and exactly. Let exact point i be N_i / d_i, and M_i = N_i d_0 - N_0 d_i. The area of triangle (0,
+// i, j), times 2 |n| d_0^2, is [n, M_i, M_j] / (d_i d_j); this factor is left out everywhere. A sum of areas has only
+// the denominators of its own points.
 class Triangles {
   public:
     Triangles(const std::vector<Vec3>& points, const Vec3& normal, const ExactCorners& exact, std::size_t count)
@@ -65,7 +65,8 @@ class Triangles {
         return {-dot(x.from_first, cross(exact_normal(), y.from_first)), x.den * y.den};
     }
 
-    // Returns 1 if point i is further from the first one than point j, across the normal; otherwise 0 or -1.
+    // Returns the sign of the difference of two distances from the first point, measured across the normal: that of
+    // point i minus that of point j.
     int compare_across(std::size_t i, std::size_t j) const {
         constexpr double factor = 300;
         const auto square = [&](std::size_t k) {
@@ -98,7 +99,8 @@ class Triangles {
         }
         return *long_[i];
     }
-    // The square of the distance across the normal, times n . n, is (p . p)(n . n) - (p . n)^2.
+    // Returns the square of p's length across the normal, times n.n: (p.p)(n.n) - (p.n)^2, with p the vector from the
+    // first point to point i, times both denominators.
     Quotient exact_across(std::size_t i) const {
         const ScaledLongVector &p = at(i).from_first, &n = exact_normal();
         const ScaledInteger along = dot(p, n);
@@ -109,12 +111,13 @@ class Triangles {
     exact::Point normal_;
     std::vector<exact::Point> at_;  // relative to the first point
     double off_ = 0, of_sums_ = 0;
-    mutable std::vector<std::optional<Long>> long_;  // made when they are needed
+    mutable std::vector<std::optional<Long>> long_;  // computed when they are needed
     mutable std::optional<LongPoint> first_;
     mutable std::optional<ScaledLongVector> long_normal_;
 };
 
-// A Link is the best choice of some number of points that ends at some point: its area, and the point before the last.
+// links_[k][j] is the polygon of greatest area with k points that begins with point 0 and ends with point j: its area,
+// and the point before j.
 struct Link {
     double area = 0;
     std::size_t before = 0;
@@ -158,7 +161,7 @@ class Choice {
         }
     }
 
-    // Returns the points of the choice of so many points that ends at `last` after `before`.
+    // Returns the best choice of `length` points whose last two points are `before` and `last`.
     std::vector<std::size_t> points(std::size_t length, std::size_t last, std::size_t before) const {
         std::vector<std::size_t> result(length);
         result[length - 1] = last;
@@ -169,7 +172,8 @@ class Choice {
         return result;
     }
 
-    // Returns true if x has the greater area, or the same and comes first. Exact.
+    // Returns true if polygon x has a greater area than y, or the same area and a lexicographically smaller list.
+    // Exact.
     bool is_better(const std::vector<std::size_t>& x, const std::vector<std::size_t>& y) const {
         Quotient difference;
         const auto has = [](const std::vector<std::size_t>& points, std::size_t i, std::size_t j) {

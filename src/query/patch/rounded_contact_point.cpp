@@ -1,8 +1,8 @@
-// Answers where two rounded bodies first touch after a translation, and along which normal.
+// This file computes the point and the normal of the first contact of two rounded bodies, one of which is translated.
 //
-// They touch when their cores are at the distance p, the sum of the radii. The closest points x and y of the cores are
-// then p apart, so the bodies share the one point of the segment xy that is at the radii from its ends, and the normal
-// is along the segment. The time is found again, exactly, from the two triangles that the contact names.
+// The bodies touch when the distance of their cores is p, the sum of the radii. The closest points x and y of the cores
+// then have the distance p, so the bodies share the one point of the segment xy that is at the radii from its ends, and
+// the normal is along the segment. The exact time is computed again, from the two triangles that the contact names.
 #include "query/patch/rounded_contact_point.hpp"
 
 #include <array>
@@ -25,7 +25,7 @@ namespace {
     throw NotSupported("contact_point: the contact is not the first one of these bodies and this motion");
 }
 
-// Throws NotSupported unless both features are of the meshes.
+// Throws NotSupported unless the contact names features of both meshes.
 void require_features(const RoundedPair& bodies, const FirstContact& contact) {
     const auto is_of = [](const Feature& feature, const Posed<MeshShape>& core) {
         return feature.kind != Feature::Kind::none && feature.corner < 3 &&
@@ -49,7 +49,8 @@ std::array<exact::ScaledLongVector, 6> corners_of(const RoundedPair& bodies, con
     return corners;
 }
 
-// Returns the exact time of the contact. Throws NotSupported unless the triangles that the contact names have it.
+// Returns the exact time of the contact. Throws NotSupported if the triangles that the contact names have no such
+// contact.
 exact::RootSum time_of(const exact::RoundedContact& triangles, const FirstContact& contact) {
     auto times = triangles.interval();
     if (!times || key_of(times->first.rounded) != key_of(contact.time)) refuse();

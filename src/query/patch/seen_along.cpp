@@ -17,13 +17,13 @@ using exact::plus;
 using exact::times;
 using Kind = Feature::Kind;
 
-// Returns num / den with a positive denominator.
+// Returns the point num / den, with a positive denominator.
 LongPoint quotient(ScaledLongVector num, ScaledInteger den) {
     if (den.sign() > 0) return {std::move(num), std::move(den)};
     return {{-num[0], -num[1], -num[2]}, -den};
 }
 
-// Sets num / den of the corner to n . (y / d_y - x / d_x).
+// Sets corner.num / corner.den to n . (y - x), the difference of the corner's two points along n.
 void set_rise(LongCorner& corner, const ScaledLongVector& n) {
     const LongPoint &x = corner.at[0], &y = corner.at[1];
     corner.num = dot(n, minus(times(y.num, x.den), times(x.num, y.den)));
@@ -77,8 +77,8 @@ void SeenAlong::list(convex::LeastPairs& pairs) {
     }
 }
 
-// Returns the vertex, edge or face of the other polygon in whose relative interior a vertex is seen, and sets is_over;
-// is_over stays false if there is none.
+// Returns the vertex, edge or face of the other polygon whose relative interior contains a vertex of polygon `side`,
+// seen along the normal, and sets is_over. If there is none, is_over stays false and the result has no meaning.
 HullFeature SeenAlong::feature_below(std::size_t side, std::size_t vertex, bool& is_over) const {
     const std::size_t of = 1 - side;
     const Polygon& polygon = polygons_[of];
@@ -101,7 +101,7 @@ HullFeature SeenAlong::feature_below(std::size_t side, std::size_t vertex, bool&
     return found;
 }
 
-// Does the work of feature_below() for a polygon that is a single edge, and a point c on the line of this edge.
+// Returns the result of feature_below() for a polygon that is a single edge, and a point c on the line of this edge.
 HullFeature SeenAlong::on_edge(std::size_t of, const ScaledLongVector& c, bool& is_over) const {
     const ScaledLongVector& along = edges_[of][0].along;
     const int from = dot(minus(c, point(of, 0)), along).sign(), to = dot(minus(c, point(of, 1)), along).sign();
@@ -109,7 +109,8 @@ HullFeature SeenAlong::on_edge(std::size_t of, const ScaledLongVector& c, bool& 
     return from == 0 ? polygons_[of].vertex(0) : to == 0 ? polygons_[of].vertex(1) : polygons_[of].feature;
 }
 
-// Returns true if the edges cross: each has its ends strictly on both sides of the other one's line.
+// Returns true if edge i of the first polygon and edge j of the second cross: the ends of each are strictly on both
+// sides of the other one's line.
 bool SeenAlong::do_cross(std::size_t i, std::size_t j) const noexcept {
     return sign(0, i, j) * sign(0, i, polygons_[1].next(j)) < 0 && sign(1, j, i) * sign(1, j, polygons_[0].next(i)) < 0;
 }
@@ -119,7 +120,8 @@ int SeenAlong::of(const HullFeaturePair& edges) const {
     return dot(u.left, v.way).sign();
 }
 
-// The foot p + s u of c has (s u - (c - p)) x n = 0: any coordinate of n x u that is not zero gives s.
+// Returns the point p + s way of edge i that is over c along the normal n: n x (c - p) = s (n x way), so any coordinate
+// of `left` = n x way that is not zero gives s.
 LongPoint SeenAlong::foot_on_edge(std::size_t of, std::size_t i, const ScaledLongVector& c) const {
     const ScaledLongVector& p = point(of, i);
     const Edge& edge = edges_[of][i];
@@ -129,22 +131,23 @@ LongPoint SeenAlong::foot_on_edge(std::size_t of, std::size_t i, const ScaledLon
     return quotient(plus(times(p, edge.left[k]), times(edge.way, left_of_c[k])), edge.left[k]);
 }
 
-// The foot is c + t n, with m . (c + t n - p) = 0 for the face's normal m.
+// Returns the point c + t n of the face's plane: m . (c + t n - p) = 0, with m the face's normal and p its first
+// corner.
 LongPoint SeenAlong::foot_on_face(std::size_t of, const ScaledLongVector& c) const {
     const ScaledLongVector m = cross(edges_[of][0].way, edges_[of][1].way);
     const ScaledInteger den = dot(m, normal_.n);
     return quotient(plus(times(c, den), times(normal_.n, dot(m, minus(point(of, 0), c)))), den);
 }
 
-// Two edges from p and q, along u and v, cross at p + s u and q + r v: with w = q - p, s = [w, v, n] / [u, v, n] and
-// r = [w, u, n] / [u, v, n].
+// Returns the two points that make the corner. For two edges from p and q, along u and v, these are p + s u and q + r
+// v: with w = q - p, s = [w, v, n] / [u, v, n] and r = [w, u, n] / [u, v, n].
 LongCorner SeenAlong::corner(const HullFeaturePair& pair) const {
     LongCorner result;
     if (pair[0].kind == Kind::edge && pair[1].kind == Kind::edge) {
         const std::size_t i = polygons_[0].index_of(pair[0]), j = polygons_[1].index_of(pair[1]);
         const ScaledLongVector &p = point(0, i), &q = point(1, j), w = minus(q, p);
         const Edge &u = edges_[0][i], &v = edges_[1][j];
-        // den, s and r are the negatives of these determinants: [x, y, n] = x . (y x n) = -x . (n x y).
+        // den, s and r are -[u, v, n], -[w, v, n] and -[w, u, n], because `left` is n x `way`.
         const ScaledInteger den = dot(u.way, v.left), s = dot(w, v.left), r = dot(w, u.left);
         result.at[0] = quotient(plus(times(p, den), times(u.way, s)), den);
         result.at[1] = quotient(plus(times(q, den), times(v.way, r)), den);

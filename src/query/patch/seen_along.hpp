@@ -1,8 +1,8 @@
-// SeenAlong looks at two convex polygons in space along a normal. It finds exactly which of their vertices and edges
-// are over each other, and at which points.
+// SeenAlong projects two convex polygons in space along a normal n. It computes exactly which of their vertices, edges
+// and faces share a point in this projection, and the points on both polygons.
 //
 // Seen along n, a point c is on the left of the edge from p to q if (c - p) . (n x (q - p)) > 0. All numbers are sums
-// and products of given doubles, of any length; nothing is rounded.
+// and products of given doubles, in integers of any length; nothing is rounded.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ struct LongPoint {
     ScaledInteger den{1.0};
 };
 
-// LongCorner is a corner of a patch: a point on each body, and num / den = n . (second - first), with den > 0. This
-// number is |n| times the gap.
+// LongCorner is a corner of a patch: a point on each body, and num / den = n . (second - first), with den > 0. The
+// quotient num / den is |n| times the gap.
 struct LongCorner {
     std::array<LongPoint, 2> at;
     ScaledInteger num, den;
@@ -40,18 +40,20 @@ struct LongCorner {
 
 class SeenAlong final : public Turn {
   public:
-    // No two vertices of one polygon may be over each other. The polygons and the normal must outlive this object.
+    // The constructor requires that no two vertices of one polygon coincide, seen along the normal. The polygons and
+    // the normal must outlive this object.
     SeenAlong(const convex::PosedHulls& hulls, const Polygons& polygons, const ExactNormal& normal);
 
     // Sets `pairs` to all pairs of features whose relative interiors, as seen along the normal, share exactly one
     // point.
     void list(convex::LeastPairs& pairs);
     int of(const HullFeaturePair& edges) const override;
-    // Returns the corner that such a pair makes.
+    // Returns the patch's corner at the one point that the two features of `pair` share, as seen along the normal.
     LongCorner corner(const HullFeaturePair& pair) const;
 
   private:
-    // A point c is left of the edge from p if (c - p) . left > 0, and further along it than p if (c - p) . along > 0.
+    // An Edge from p has a point c on its left if (c - p) . left > 0, and c is further along it than p if (c - p) .
+    // along > 0.
     struct Edge {
         ScaledLongVector way, left, along;
     };
