@@ -35,8 +35,8 @@ struct ProxyPair {
 };
 
 enum class BroadPhaseKind : std::uint8_t {
-    // Tests every box against every other. Tests compare the other broad phases with this one. Each update in which
-    // something moved makes n^2 / 2 overlap tests.
+    // Tests every pair of boxes for overlap. The library's own tests compare the other broad phases with this one. Each
+    // update in which a box moved makes n^2 / 2 overlap tests.
     brute_force,
     // Keeps three sorted lists of box ends, sorts them again by insertion, and finds pairs as ends swap: the algorithm
     // of the ECoDS report. Work per update: one step for each pair of ends that changed order, and one pass over the
@@ -69,10 +69,10 @@ struct BroadPhaseCounts {
     std::uint64_t moved = 0;      // boxes that were new or changed since the update before, summed over updates
     std::uint64_t box_tests = 0;  // overlap tests of two boxes, on all axes or on two, without candidates_filtered
 
-    // Only sweep_and_prune counts this.
+    // The next member is counted by sweep_and_prune only.
     std::uint64_t swaps = 0;  // ends that passed each other in the sorted lists
 
-    // Only kept_candidates counts these.
+    // The next three members are counted by kept_candidates only.
     std::uint64_t candidates_filtered = 0;  // tests of pairs that were already candidates
     std::uint64_t escaped = 0;              // boxes that left their margin
     std::uint64_t rebuilds = 0;             // updates at which all boxes were looked up
@@ -116,8 +116,9 @@ class ECODS_API BroadPhase {
     // finds all changes since the last one that succeeded.
     virtual void update() = 0;
 
-    // Returns the pairs as of the last update, ascending. Valid until the next call that is not const. This call brings
-    // the list up to date: one pass over the list if pairs came or went since the last call, otherwise nothing.
+    // Returns the pairs as of the last update, ascending. The list is valid until the next call that is not const. This
+    // call brings the list up to date: in one pass over the list if pairs came or went since the last call, otherwise
+    // at no cost.
     virtual const std::vector<ProxyPair>& pairs() = 0;
 
     // Return the pairs that began to overlap, and the pairs that ceased to, at the last update, ascending. The pairs of

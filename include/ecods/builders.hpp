@@ -46,9 +46,9 @@ namespace ecods {
 // polytope is apart from the curved body.
 struct Circumscribed {
     std::shared_ptr<const ConvexSolid> solid;
-    // No point of the polytope is farther from the curved body than this. For cylinders, cones and balls it is the
-    // largest distance, rounded up. For other ellipsoids it is an upper bound; with at least one subdivision, a vertex
-    // on the longest axis attains it, up to the rounding of its coordinates.
+    // `deviation` is an upper bound of the distance of the polytope's points from the curved body. For cylinders, cones
+    // and balls it is the largest distance, rounded up. For other ellipsoids with at least one subdivision, a vertex on
+    // the longest axis attains it, up to the rounding of the vertex's coordinates.
     double deviation = 0;
 };
 

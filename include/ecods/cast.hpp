@@ -56,8 +56,8 @@ class Rounded;  // rounded.hpp
 
 // ---- entering: the first time after which bodies are inside each other
 
-// Says when a body first goes into another one. Unlike a FirstContact, touching does not count: a cube on a floor
-// slides and lifts without entering, and enters at 0 if it is pushed down.
+// A FirstEntry says when a body first goes into another one. Touching is no entry: a cube on a floor slides and lifts
+// without entering the floor, and enters at time 0 if it is pushed down.
 struct FirstEntry {
     double time = 0;  // rounded once, at least 2^-1074 unless it is 0
     // a and b are the faces of two triangles that go into each other at this time: the least of all pairs whose time
@@ -75,17 +75,18 @@ struct BodyEntry {
     friend bool operator==(const BodyEntry&, const BodyEntry&) = default;
 };
 
-// Returns when a, translated by time times `motion`, first goes into b, which stays; nullopt if it does not before
-// max_time, in real time. A max_time above 1 counts as 1. (Parry has a related option: cast_shapes without
+// Returns the first entry of a, translated by time times `motion`, into b, which stays; nullopt if a does not enter b
+// before max_time, in real time. A max_time above 1 counts as 1. (Parry has a related option: cast_shapes without
 // stop_at_penetration.)
 //
-// Two solids: the infimum of the times from 0 on at which their interiors meet. They then meet at all times just after
-// it; if they meet at the start, the time is 0, whatever max_time is. Two surfaces: the first time at which a triangle
-// of a goes properly into or through one of b: the two share a point then, and not at time 0 alone; and seen along the
-// motion, they overlap inside. So surfaces that lie on each other at the start do not enter (a sheet has no side), but
-// surfaces that come to lie on each other do; and whether a lone sheet that moves edge on enters another one may depend
-// on how both are cut into triangles, if the edge runs along a diagonal. Equal cubes, one on the other, pushed
-// together, enter as solids, but not as surfaces: to ask about the surfaces of solids, pass surface_of(solid).
+// For two solids, the time is the infimum of the times from 0 on at which their interiors meet. The interiors then meet
+// at all times just after it; if they meet at the start, the time is 0, whatever max_time is. For two surfaces, it is
+// the first time at which a triangle of a goes properly into or through a triangle of b: the two triangles share a
+// point then, and not at time 0 alone; and seen along the motion, their interiors overlap. So surfaces that lie on each
+// other at the start do not enter (a sheet has no side), but surfaces that come to lie on each other do. Whether a lone
+// sheet that moves edge on enters another one may depend on how both are cut into triangles, if the edge runs along a
+// diagonal. Equal cubes, one on the other, pushed together, enter as solids, but not as surfaces: to ask about the
+// surfaces of solids, pass surface_of(solid).
 //
 // Bodies rarely lie on each other exactly. A body that is put down at a rounded translation is in the floor by an ulp
 // half of the time, and then enters at 0 whatever the direction; a direction that is tangential up to rounding goes
@@ -131,11 +132,11 @@ struct BodyEntry {
 //
 // Example: verify/examples/how_do_i, stop_at_a_distance().
 
-// Return when a, translated by time times `motion`, is first within `distance` of b, which stays; nullopt if it is not
-// up to max_time, in real time. Of rounded bodies it is the distance of their surfaces: the radii and `distance` are
-// added exactly. Start from a witness. Throw InvalidArgument if the distance is negative, NaN or infinite, a coordinate
-// of the motion is not finite, or max_time is negative or NaN. A max_time above 1 counts as 1. Cost: that of a cast of
-// rounded bodies; with the distance 0 and no radii, that of cast().
+// Return the first time at which a, translated by time times `motion`, is within `distance` of b, which stays; nullopt
+// if there is no such time up to max_time, in real time. For rounded bodies, the distance is that of their surfaces:
+// the radii and `distance` are added exactly. Start from a witness. Throw InvalidArgument if the distance is negative,
+// NaN or infinite, a coordinate of the motion is not finite, or max_time is negative or NaN. A max_time above 1 counts
+// as 1. Cost: that of a cast of rounded bodies; with the distance 0 and no radii, that of cast().
 [[nodiscard]] ECODS_API std::optional<FirstContact> cast_to_distance(const Posed<MeshShape>& a, const Vec3& motion,
                                                                      const Posed<MeshShape>& b, double distance,
                                                                      double max_time = 1, const Ask& ask = {});

@@ -74,30 +74,31 @@ class ECODS_API Certificate {
     std::shared_ptr<const Content> content_;
 };
 
-// Proves the answer of relation(a, b): claims disjoint (the format's word for apart), touching or crossing.
+// Returns a proof of the answer of relation(a, b): claims disjoint (the format's word for apart), touching or crossing.
 ECODS_API Certificate certify(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
-// Proves the answer of distance(a, b): claims distance.
+// Returns a proof of the answer of distance(a, b): claims distance.
 ECODS_API Certificate certify_distance(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask = {});
 
-// Proves the answer of within(a, b, max_distance): claims within or beyond. Throws InvalidArgument if max_distance is
-// negative or NaN.
+// Returns a proof of the answer of within(a, b, max_distance): claims within or beyond. Throws InvalidArgument if
+// max_distance is negative or NaN.
 ECODS_API Certificate certify_within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance,
                                      const Ask& ask = {});
 
-// Proves the answer of first_hit(segment, body): claims hit or miss. Throws InvalidArgument.
+// Returns a proof of the answer of first_hit(segment, body): claims hit or miss. Throws InvalidArgument.
 ECODS_API Certificate certify_hit(const Segment& segment, const Posed<MeshShape>& body, const Ask& ask = {});
 
 // A WorldCertificate proves a world's lists (World::certify). It states which bodies there are, and which pairs filters
-// and switches leave; and it proves that the listed pairs of the last update collide or are close, and that none of the
-// other pairs does. It is a value that is cheap to copy, and keeps its shapes alive. World::certify throws NotUpdated
-// if a call since the last update changed the world or the clearance; NotSupported if a body is a solid or of a kind of
-// the caller's own. If a caller's test replaces the test of meshes, the proof is still about the meshes. Pairs that
-// filters or set_pair_enabled() exclude are not judged; the checkers report how many they are. Cost: certify(), and
-// with a clearance certify_within(), for each pair of bodies whose boxes are not proven to be further apart.
+// and switches leave; and it proves that the listed pairs of the last update collide or are close, and that no other
+// pair collides or is close. It is a value that is cheap to copy, and keeps its shapes alive. World::certify throws
+// NotUpdated if a call since the last update changed the world or the clearance; NotSupported if a body is a solid or
+// of a kind of the caller's own. If a caller's test replaces the test of meshes, the proof is still about the meshes.
+// It claims nothing about pairs that filters or set_pair_enabled() exclude; the checkers report how many such pairs
+// there are. Cost: certify(), and with a clearance certify_within(), for each pair of bodies whose boxes are not proven
+// to be further apart.
 class ECODS_API WorldCertificate {
   public:
-    // Return the number of pairs that are proven to collide, to be close (colliding ones included), and to be neither.
+    // Return the number of pairs that are proven to collide; to be close (colliding pairs included); and to be neither.
     std::size_t colliding_count() const noexcept;
     std::size_t close_count() const noexcept;
     std::size_t apart_count() const noexcept;

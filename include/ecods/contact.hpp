@@ -46,7 +46,7 @@
 
 namespace ecods {
 
-// Says which corners contact_patch() returns.
+// PatchLimits selects the corners that contact_patch() returns.
 struct PatchLimits {
     // Limits the number of corners; 0 keeps all. Otherwise the corners are kept that contain the first one and span the
     // largest area, seen along the normal; of several such choices the lexicographically first, by their places in the
@@ -61,8 +61,8 @@ struct PatchLimits {
     // least angle. Decided exactly.
     double min_cos_squared = 1;
 
-    // Corners with a greater gap are left out. May be negative, but neither NaN nor -infinity. Decided for real
-    // numbers.
+    // Limits the gap: corners with a greater gap are left out. The limit may be negative, but neither NaN nor
+    // -infinity. Real gaps are compared.
     double max_gap = std::numeric_limits<double>::infinity();
 };
 
@@ -148,12 +148,10 @@ struct DepthAlong {
 [[nodiscard]] ECODS_API std::optional<DepthAlong> depth_along(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                                               const Vec3& direction, const Ask& ask = {});
 
-// ---- the point of a first contact
-
 // A ContactPoint says where two bodies first touch, and along which direction they come together there.
 //
-// `point` is the point that the features of the FirstContact share at its time, each coordinate rounded once: where one
-// of them is a vertex, that vertex, otherwise the point where the edges cross.
+// `point` is the point that the features of the FirstContact share at its time, each coordinate rounded once: the
+// vertex if one of the features is a vertex, otherwise the point where the two edges cross.
 //
 // `normal` is a unit vector from a to b, each coordinate rounded once: the limit, as time goes up to the contact, of
 // the direction from the closest point of a's triangles at its feature to that of b's triangles at its feature. (A
@@ -163,7 +161,8 @@ struct DepthAlong {
 // contact: the shortest one, of all pairs of triangles; among equal ones, that of the first pair. So a box that lands
 // flat on a floor has the floor's normal, whatever the way.
 //
-// The contact names one of several features that touch first, and both numbers are about that one alone.
+// If several pairs of features touch first, the contact names one pair, and `point` and `normal` are those of that
+// pair.
 struct ContactPoint {
     Vec3 point = Vec3::Zero();
     std::optional<Vec3> normal;  // empty for a contact at time 0, and where the functions below say so
@@ -196,13 +195,14 @@ struct ContactPoint {
                                                    const Posed<Rounded>& b, const FirstContact& contact,
                                                    const Ask& ask = {});
 
-// Return the point and the normal of a contact that cast() of a turning body (turn.hpp, turn.hpp), or of two bodies
-// that move from pose to pose, returned. The time is the exact one, before it was rounded. For a vertex and a face the
-// normal is the face's at that time, to the side from which the vertex comes; for two edges it is their cross product
-// then, to the side from which they come: the limit, as time goes up to the contact, of the direction from one feature
-// to the other. For a vertex and an edge, and for two vertices, it is empty: the direction in which such features come
-// together depends on their velocities then, whose squares are of higher degree than the exact decision knows. Errors
-// are as above; NotSupported also if a way has no such leg. Cost: some hundred microseconds, mostly for the normal.
+// Return the point and the normal of a contact that cast() of a turning body (turn.hpp), or of two bodies that move
+// from pose to pose, returned. The time is the exact one, before it was rounded. For a vertex and a face, the normal is
+// the face's normal at that time, to the side from which the vertex comes; for two edges, it is their cross product at
+// that time, to the side from which they come: the limit, as time goes up to the contact, of the direction from one
+// feature to the other. For a vertex and an edge, and for two vertices, the normal is empty: the direction in which
+// these features come together depends on their velocities, whose squares are of higher degree than the exact decision
+// supports. Errors are as above; NotSupported also if a way has no such leg. Cost: some hundred microseconds, mostly
+// for the normal.
 [[nodiscard]] ECODS_API ContactPoint contact_point(const Turning<MeshShape>& a, const Posed<MeshShape>& b,
                                                    const FirstContact& contact, const Ask& ask = {});
 [[nodiscard]] ECODS_API ContactPoint contact_point(const Turning<MeshShape>& a, const Vec3& motion_of_b,

@@ -1,4 +1,4 @@
-// Includes everything. The headers are the manual; read them in the order below.
+// Includes all public headers. The headers are the manual; read them in the order below.
 //
 // These ten calls are what nine of ten users need; verify/examples/how_do_i has each in a program of a few lines.
 //

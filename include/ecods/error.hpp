@@ -32,7 +32,7 @@ class ECODS_API Error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Is thrown if vertices and indices do not make a mesh.
+// InvalidMesh is thrown if vertices and indices do not make a mesh.
 class ECODS_API InvalidMesh final : public Error {
   public:
     enum class Reason : std::uint8_t {
@@ -58,7 +58,7 @@ class ECODS_API InvalidMesh final : public Error {
     std::size_t stride = 0;  // from one vertex, or one triangle, to the next
 };
 
-// Is thrown if a mesh or a list of points bounds no solid, or no convex solid if that is needed.
+// NotSolid is thrown if a mesh or a list of points bounds no solid, or bounds no convex solid where one is needed.
 class ECODS_API NotSolid final : public Error {
   public:
     using Coordinates = std::array<double, 3>;
@@ -120,7 +120,7 @@ enum class Argument : std::uint8_t {
            // of a way the node is at `index`, whose "pivot(0)" or "q" may be bad, or "nodes" are too few
 };
 
-// Is thrown if a call cannot use a number or pointer that it was given.
+// InvalidArgument is thrown if a call cannot use a number or pointer that it was given.
 class ECODS_API InvalidArgument final : public Error {
   public:
     InvalidArgument(const std::string& text, Argument what_is_bad, std::string bad_part = {}, double bad_value = 0);
@@ -136,8 +136,8 @@ class ECODS_API InvalidArgument final : public Error {
     ShapeKind kind = {};  // if the argument is a box: the kind of the caller's shape that returned it; otherwise mesh()
 };
 
-// Is thrown if the matrix of a pose is singular, but the question needs inner points of the posed solid. Also thrown
-// wherever a half space gets a singular pose, as an argument of a question or by a call of a World.
+// SingularPose is thrown if the matrix of a pose is singular, but the question needs inner points of the posed solid.
+// It is also thrown wherever a half space gets a singular pose, as an argument of a question or by a call of a World.
 class ECODS_API SingularPose final : public Error {
   public:
     explicit SingularPose(int argument, BodyId body = {});
@@ -146,7 +146,8 @@ class ECODS_API SingularPose final : public Error {
     BodyId body;   // the body, if a World was asked, or was to pose a body
 };
 
-// Is thrown if an id names no body of this world: it is null, its body was destroyed, or it is of another world.
+// StaleBody is thrown if an id names no body of this world: it is null, its body was destroyed, or it is of another
+// world.
 class ECODS_API StaleBody final : public Error {
   public:
     explicit StaleBody(BodyId body, ListIndex index = {});
@@ -155,7 +156,7 @@ class ECODS_API StaleBody final : public Error {
     ListIndex index;
 };
 
-// Is thrown if a pair is needed, but both ids name the same body.
+// SameBody is thrown if a pair is needed, but both ids name the same body.
 class ECODS_API SameBody final : public Error {
   public:
     explicit SameBody(BodyId body);
@@ -163,13 +164,15 @@ class ECODS_API SameBody final : public Error {
     BodyId body;
 };
 
-// Is thrown by a world that was moved from. Such a world has no bodies, and can only be assigned to and destroyed.
+// MovedFromWorld is thrown by a world that was moved from, which has no bodies, and can only be assigned to and
+// destroyed.
 class ECODS_API MovedFromWorld final : public Error {
   public:
     MovedFromWorld();
 };
 
-// Is thrown if a two-body test or a shape does not answer a question, or if a shape cannot be used as requested.
+// NotSupported is thrown if a two-body test or a shape does not answer a question, or if a shape cannot be used as
+// requested.
 class ECODS_API NotSupported final : public Error {
   public:
     // With Question::intersects, no test of the two kinds is registered. With hits and certify, `a` and `b` are both
@@ -183,14 +186,14 @@ class ECODS_API NotSupported final : public Error {
     BodyId body = {};  // for certify: the body of the shape
 };
 
-// Is thrown if a certificate is requested of a world that changed since its last update.
+// NotUpdated is thrown if a certificate is requested of a world that changed since its last update.
 class ECODS_API NotUpdated final : public Error {
   public:
     NotUpdated();
 };
 
-// Is thrown by check_invariants() only, if the kind, box or digest of a caller's shape changed since a body got the
-// shape.
+// ShapeChanged is thrown by check_invariants() only, if the kind, box or digest of a caller's shape changed since a
+// body got the shape.
 class ECODS_API ShapeChanged final : public Error {
   public:
     ShapeChanged(BodyId body, ShapeKind kind, const std::string& what_changed);
@@ -199,19 +202,21 @@ class ECODS_API ShapeChanged final : public Error {
     ShapeKind kind;
 };
 
-// Is thrown if an Executor did not run each task once, or ran two at the same time as the same worker.
+// ExecutorFailed is thrown if an Executor did not run each task once, or ran two tasks at the same time as the same
+// worker.
 class ECODS_API ExecutorFailed final : public Error {
   public:
     using Error::Error;
 };
 
-// Is thrown by World::end_trace() only, if the stream failed while the world wrote the trace. The trace ends there.
+// TraceFailed is thrown by World::end_trace() only, if the stream failed while the world wrote the trace. The trace
+// ends at that point.
 class ECODS_API TraceFailed final : public Error {
   public:
     TraceFailed();
 };
 
-// Is thrown if a text is not a trace, or contains a call that a World refuses.
+// InvalidTrace is thrown if a text is not a trace, or contains a call that a World refuses.
 class ECODS_API InvalidTrace final : public Error {
   public:
     InvalidTrace(std::size_t line, const std::string& reason);
@@ -219,8 +224,8 @@ class ECODS_API InvalidTrace final : public Error {
     std::size_t line;  // from 1
 };
 
-// Is thrown by check_invariants() only, if an invariant does not hold: this library has a defect, or memory was
-// overwritten.
+// BrokenInvariant is thrown by check_invariants() only, if an invariant does not hold: this library has a defect, or
+// memory was overwritten.
 class ECODS_API BrokenInvariant final : public Error {
   public:
     using Error::Error;

@@ -93,7 +93,7 @@ using BodyHitLists = HitListsOf<BodyHit>;  // of the bodies of a World
 [[nodiscard]] ECODS_API std::optional<Vec3> hit_normal(const Ray& ray, const Posed<MeshShape>& body, const Hit& hit,
                                                        const Ask& ask = {});
 
-// Says what the line does at a hit.
+// A Passage says what a line does at a hit.
 enum class Passage : std::uint8_t {
     enters,   // it is inside the solid just after the hit, and not inside just before
     leaves,   // it is inside just before, and not just after
@@ -128,7 +128,7 @@ struct SidedHit {
 [[nodiscard]] ECODS_API std::vector<SidedHit> sided_hits(const Ray& ray, const Posed<MeshShape>& body,
                                                          const Ask& ask = {});
 
-// Says how a part of a line begins or ends.
+// A PartEnd says how a part of a line begins or ends.
 enum class PartEnd : std::uint8_t {
     of_line,  // the line itself begins or ends there, inside
     crosses,  // at the surface; beyond it the line is outside
@@ -146,11 +146,11 @@ struct InsidePart {
     friend bool operator==(const InsidePart&, const InsidePart&) = default;
 };
 
-// Return the parts of the line that are inside, ascending. Each part is as long as possible, so where a line touches
-// the surface from inside at one point, one part ends and the next begins, both by `grazes`. A piece of the line that
-// only touches the surface, or runs along it, is no part. A flat solid, a solid at a singular pose, and a line of
-// length 0 have no parts. Throw InvalidArgument. Cost: that of all_hits(), one locate(), and some microseconds for each
-// hit of an edge or a vertex.
+// Return the parts of the line that are inside the solid, ascending. Each part is as long as possible, so where a line
+// touches the surface from inside at one point, one part ends and the next begins, both by `grazes`. A piece of the
+// line that only touches the surface, or runs along it, is no part. A flat solid, a solid at a singular pose, and a
+// line of length 0 have no parts. Throw InvalidArgument. Cost: that of all_hits(), one locate(), and some microseconds
+// for each hit of an edge or a vertex.
 [[nodiscard]] ECODS_API std::vector<InsidePart> inside_parts(const Segment& segment, const Posed<Solid>& solid,
                                                              const Ask& ask = {});
 [[nodiscard]] ECODS_API std::vector<InsidePart> inside_parts(const Ray& ray, const Posed<Solid>& solid,

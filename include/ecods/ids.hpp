@@ -53,8 +53,9 @@ struct TrianglePair {
     friend constexpr auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 
-// Lists questions that a two-body test, or a shape (hits), may leave unanswered (shape.hpp). Two are never put to a
-// test, and occur in NotSupported alone: every test answers `intersects`, and only meshes answer `certify`.
+// A Question is a question that a two-body test, or a shape (hits), may leave unanswered (shape.hpp). Two of the
+// questions are never put to a test, and occur in NotSupported alone: every test answers `intersects`, and only meshes
+// answer `certify`.
 enum class Question : std::uint8_t {
     relation,
     intersecting_triangles,
@@ -84,10 +85,10 @@ struct ShapeKind {
     friend constexpr auto operator<=>(const ShapeKind&, const ShapeKind&) = default;
 };
 
-// Says which bodies may meet. A body is in groups, and its mask names the groups that it meets. Two bodies may meet if
-// each is in a group that the other's mask names. By default a body is in the first group and its mask names all
-// groups, so all bodies may meet. A body whose mask is zero meets nothing. (Bullet: group and mask; Box3D: category and
-// mask bits.)
+// A CollisionFilter says which bodies may meet. A body is in groups, and its mask names the groups that it meets. Two
+// bodies may meet if each is in a group that the other's mask names. By default a body is in the first group and its
+// mask names all groups, so all bodies may meet. A body whose mask is zero meets nothing. (Bullet: group and mask;
+// Box3D: category and mask bits.)
 struct CollisionFilter {
     std::uint64_t groups = 1;
     std::uint64_t mask = ~std::uint64_t{0};

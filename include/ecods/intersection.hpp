@@ -57,8 +57,8 @@ namespace ecods {
                                                                          const Posed<MeshShape>& b,
                                                                          const Ask& ask = {});
 
-// Returns the same pairs with the points that the triangles share. Cost: that of intersecting_triangles(), and some
-// microseconds a pair.
+// Returns the pairs of intersecting_triangles(), each with the points that the two triangles share. Cost: that of
+// intersecting_triangles(), and some microseconds a pair.
 [[nodiscard]] ECODS_API std::vector<TriangleIntersection> intersections(const Posed<MeshShape>& a,
                                                                         const Posed<MeshShape>& b, const Ask& ask = {});
 

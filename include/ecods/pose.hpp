@@ -38,7 +38,7 @@ struct Pose {
     }
     static Pose from_isometry(const Eigen::Isometry3d& m) { return {m.linear(), m.translation()}; }
 
-    // Throws InvalidArgument unless the last row is 0 0 0 1. No entry is rounded.
+    // Makes a pose from a 4x4 matrix, without rounding. Throws InvalidArgument unless the last row is 0 0 0 1.
     static Pose from_matrix(const Eigen::Matrix4d& m) {
         require_last_row(m(3, 0), m(3, 1), m(3, 2), m(3, 3));
         return {m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
@@ -168,15 +168,15 @@ Turning(std::shared_ptr<T>, const Pose&, const Turn&) -> Turning<std::remove_con
 //
 // Example: verify/examples/how_do_i, move_at_once().
 
-// Translates a body by time times `by`, by default not at all.
+// A Translation moves a body by time times `by`; the default is no motion.
 struct Translation {
     Vec3 by = Vec3::Zero();
 
     friend bool operator==(const Translation& a, const Translation& b) { return a.by == b.by; }
 };
 
-// Moves each point of a body on a straight line, at constant speed, to its place at the pose `to`. Such a motion is no
-// rotation (cast.hpp).
+// A Straight motion moves each point of a body on a straight line, at constant speed, to its place at the pose `to`.
+// This motion is no rotation (cast.hpp).
 struct Straight {
     Pose to;
 
@@ -191,15 +191,16 @@ struct WayNode {
     friend bool operator==(const WayNode& a, const WayNode& b) { return a.q == b.q && a.pivot == b.pivot; }
 };
 
-// Moves a body along a way (turn.hpp), each leg in an equal share of the time: of n legs, leg k (from 0) takes the time
-// from k / n to (k + 1) / n. A contact on leg k, at the time s of the leg, which cast(Way, Posed) returns as a double,
-// is at the time (k + s) / n, rounded once; the contact counts if this time is at most max_time. So the time is 0
-// exactly if the bodies share a point at the start. Divide legs that should take longer; ask cast(Way, Posed) for the
-// leg itself.
+// An Along moves a body along a way (turn.hpp), each leg in an equal share of the time: of n legs, leg k (from 0) takes
+// the time from k / n to (k + 1) / n. A contact on leg k, at the time s of the leg, which cast(Way, Posed) returns as a
+// double, is at the time (k + s) / n, rounded once; the contact counts if this time is at most max_time. So the time is
+// 0 exactly if the bodies share a point at the start. Divide legs that should take longer; call cast(Way, Posed) to get
+// the leg itself.
 //
-// A body on a way meets bodies at rest. Casts and meetings of it beside a body that moves throw NotSupported: where a
-// leg begins, the other one is at no pose of doubles. There is one exception: two nodes, of which the first has the
-// quaternion 1 (without a factor), are treated as a Turn everywhere. A cast searches every leg that begins by max_time.
+// A body on a way meets bodies at rest. Casts and meetings of a body on a way and a body that moves throw NotSupported:
+// where a leg begins, the other body is at no pose of doubles. There is one exception: two nodes, of which the first
+// has the quaternion 1 (without a factor), are treated as a Turn everywhere. A cast searches every leg that begins by
+// max_time.
 struct Along {
     std::vector<WayNode> nodes;
 

@@ -59,7 +59,7 @@ struct Ball {
 // Returns true if `inner` is a subset of `outer`.
 [[nodiscard]] ECODS_API bool contains(const Aabb& outer, const Aabb& inner) noexcept;
 
-// Returns the smallest box that contains both.
+// Returns the smallest box that contains both boxes.
 [[nodiscard]] ECODS_API Aabb merge(const Aabb& a, const Aabb& b) noexcept;
 
 // Returns a box that contains the exact posed mesh. Let u = 2^-53, and let v_max hold, for each axis, the largest
@@ -68,9 +68,10 @@ struct Ball {
 // double, whatever the other ends are. Cost: one pass over the vertices in use.
 [[nodiscard]] ECODS_API Aabb box_of(const Mesh& mesh, const Pose& pose);
 
-// Throw InvalidArgument. A box must have no NaN and no min above max on an axis; the ends of a segment must be finite;
-// a ray must have a finite origin, a finite direction that is not zero, and a largest parameter that is neither
-// negative nor NaN; a ball must have a finite center, and a radius that is neither negative nor NaN.
+// Throw InvalidArgument if the argument is not valid. A box must have no NaN and no min above max on an axis; the ends
+// of a segment must be finite; a ray must have a finite origin, a finite direction that is not zero, and a largest
+// parameter that is neither negative nor NaN; a ball must have a finite center, and a radius that is neither negative
+// nor NaN.
 ECODS_API void validate(const Aabb& box);
 ECODS_API void validate(const Segment& segment);
 ECODS_API void validate(const Ray& ray);

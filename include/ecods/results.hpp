@@ -54,7 +54,7 @@ struct Feature {
 };
 inline constexpr Feature no_feature{Feature::Kind::none, ~std::uint32_t{0}, 0};  // a triangle index that no mesh has
 
-// Says which kinds of features contain the closest points.
+// A ClosestKind names the kinds of the features that contain the closest points.
 enum class ClosestKind : std::uint8_t { vertex_vertex, vertex_edge, vertex_face, edge_edge, intersecting, contained };
 
 // ClosestPoints holds two closest points of two bodies, or of two triangles, and the features that contain them.
@@ -161,7 +161,7 @@ struct FirstContact {
     friend bool operator==(const FirstContact&, const FirstContact&) = default;
 };
 
-// Says how a line hits a triangle.
+// A HitKind says how a line hits a triangle.
 enum class HitKind : std::uint8_t {
     front,   // inside the face, coming from the side on which its posed corners are counterclockwise
     back,    // inside the face, from the other side

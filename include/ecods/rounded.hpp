@@ -117,9 +117,9 @@ class ECODS_API Rounded final : public Shape {
 [[nodiscard]] ECODS_API std::shared_ptr<const Rounded> sphere(double radius, const Vec3& center = Vec3::Zero());
 [[nodiscard]] ECODS_API std::shared_ptr<const Rounded> capsule(const Vec3& p, const Vec3& q, double radius);
 
-// Makes a shape with a margin: of a MeshShape, Solid or ConvexSolid, or of a Rounded, whose radius then grows. Throws
-// InvalidArgument as above; NotSupported for a shape of the caller's own, and if the shape is rounded already and the
-// sum of both radii is no double.
+// Makes a shape with a margin from a MeshShape, Solid or ConvexSolid, or from a Rounded, whose radius then grows.
+// Throws InvalidArgument as above; NotSupported for a shape of the caller's own, and if the shape is rounded already
+// and the sum of both radii is no double.
 [[nodiscard]] ECODS_API std::shared_ptr<const Rounded> rounded(const std::shared_ptr<const Shape>& shape,
                                                                double radius);
 

@@ -74,7 +74,7 @@ class ECODS_API MeshShape : public Shape {
 
     std::uint64_t digest() const noexcept override { return mesh_->digest(); }
 
-    // Answer as hit.hpp says.
+    // Answer questions about hits as hit.hpp says.
     bool answers(Question question) const noexcept override { return question == Question::hits; }
     std::vector<Hit> all_hits(const Segment& segment, const Pose& pose, const Ask& ask) const override;
     std::vector<Hit> all_hits(const Ray& ray, const Pose& pose, const Ask& ask) const override;
@@ -174,14 +174,16 @@ ECODS_API void check_solid(const Mesh& mesh);
 // set, and 4 bytes for each vertex of the mesh.
 class ECODS_API ConvexSolid final : public Solid {
   public:
-    // Throws InvalidArgument for a null mesh; NotSolid, which names a dent if the mesh has one, or an open edge if it
-    // covers no flat set.
+    // Throws InvalidArgument if the mesh is null. Throws NotSolid if the mesh covers no flat convex set and either
+    // bounds no solid (no_interior, open_edge or self_intersection, as Solid does) or bounds a solid that is not convex
+    // (dent).
     explicit ConvexSolid(std::shared_ptr<const Mesh> mesh);
     // Makes the convex hull of the points. Throws the errors of convex_hull().
     explicit ConvexSolid(std::span<const Vec3> points);
     ~ConvexSolid() override;
 
-    // Returns 3; for a flat solid, 2 if it is a polygon, 1 if it is a segment and 0 if it is a point.
+    // Returns the dimension of the solid: 3 if it has inner points, 2 if it is a polygon, 1 if it is a segment and 0 if
+    // it is a point.
     int dimension() const noexcept;
 
   private:
@@ -207,11 +209,12 @@ class ECODS_API ConvexSolid final : public Solid {
 //
 // Example: verify/examples/own_shape.
 
-// Answers questions about two shapes of one pair of kinds. A World calls a test only for candidate pairs, with the
-// shape of the first kind first. Answers must depend on the shapes and poses alone: a verdict is kept while neither
-// body changes. In `ask` a World always gives a memory, and the witness that the last call for the pair left, if it
-// stores one; no answer may depend on them. A test that asks a World a question must pass this memory on: without a
-// memory, the executor runs the question after the call that runs the test, so the test would wait for ever.
+// A TwoBodyTest answers questions about two shapes of one pair of kinds. A World calls a test only for candidate pairs,
+// with the shape of the first kind first. Answers must depend on the shapes and poses alone: a verdict is kept while
+// neither body changes. In `ask` a World always gives a memory, and the witness that the last call for the pair left,
+// if it stores one; no answer may depend on memory or witness. A test that asks a World a question must pass this
+// memory on: without a memory, the executor runs the question after the call that runs the test, so the test would wait
+// for ever.
 class ECODS_API TwoBodyTest {
   public:
     virtual ~TwoBodyTest() = default;
@@ -225,7 +228,7 @@ class ECODS_API TwoBodyTest {
     // test that does not answer before it asks any.
     virtual bool answers(Question question) const noexcept;  // by default: none
 
-    // Returns apart exactly if intersects() is false.
+    // Returns the relation of a to b: apart exactly if intersects() is false.
     virtual Relation relation(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const;
 
     // Returns the pairs of triangles that share a point, ascending.

@@ -1,5 +1,6 @@
-// Only solids have these questions: where a point is, how deep two solids are in each other, and their signed distance.
-// All other questions take solids, too (intersection.hpp, distance.hpp, hit.hpp, cast.hpp). No World is needed.
+// These questions are only about solids: where a point is, how deep two solids are in each other, and their signed
+// distance. All other questions take solids, too (intersection.hpp, distance.hpp, hit.hpp, cast.hpp). No World is
+// needed.
 //
 //     Solid hall{hall_mesh};
 //     locate(Vec3(0, 0, 1), {hall, Pose{}}).side == Side::inside
@@ -176,7 +177,7 @@ class ECODS_API HalfSpace final : public Shape {
     double offset_;
 };
 
-// Return true if body and half space share a point; touching counts.
+// Return true if the body and the half space share a point; touching counts.
 [[nodiscard]] ECODS_API bool intersects(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
                                         const Ask& ask = {});
 [[nodiscard]] ECODS_API bool intersects(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
@@ -191,7 +192,7 @@ class ECODS_API HalfSpace final : public Shape {
 [[nodiscard]] ECODS_API Relation relation(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
                                           const Ask& ask = {});
 
-// Return the distance; 0 exactly if they intersect.
+// Return the distance of the body from the half space, rounded once; 0 exactly if they intersect.
 [[nodiscard]] ECODS_API double distance(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
                                         const Ask& ask = {});
 [[nodiscard]] ECODS_API double distance(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
@@ -209,7 +210,8 @@ class ECODS_API HalfSpace final : public Shape {
 [[nodiscard]] ECODS_API SignedDistance signed_distance(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space,
                                                        const Ask& ask = {});
 
-// Return true if the real distance is at most max_distance. Throw InvalidArgument for a negative distance or NaN.
+// Return true if the real distance of the body from the half space is at most max_distance. Throw InvalidArgument if
+// max_distance is negative or NaN.
 [[nodiscard]] ECODS_API bool within(const Posed<MeshShape>& body, const Posed<HalfSpace>& half_space,
                                     double max_distance, const Ask& ask = {});
 [[nodiscard]] ECODS_API bool within(const Posed<Rounded>& body, const Posed<HalfSpace>& half_space, double max_distance,

@@ -83,11 +83,11 @@ struct ReplayOptions {
     std::shared_ptr<Executor> executor = nullptr;
     bool checks_invariants = false;  // if true, calls World::check_invariants() after each update
 
-    // If set, is called with the new world, for example to register the caller's own tests.
+    // If set_up is set, it is called with the new world, for example to register the caller's own tests.
     std::function<void(World&)> set_up = nullptr;
 
-    // If set, is called after each update that gave the recorded result, for example to ask about the lists. It may
-    // throw, which ends the replay.
+    // If updated is set, it is called after each update that gave the recorded result, for example to ask about the
+    // lists. It may throw, which ends the replay.
     std::function<void(const World&)> updated = nullptr;
 
     // Makes a shape from the text that TraceOptions::write_shape returned. It may throw.
@@ -113,11 +113,11 @@ struct ReplayReport {
     std::optional<Difference> difference = {};
 };
 
-// Runs a trace until its end, or until the first difference. These are differences: a new body's id, or the answer to a
-// question, is not that of the trace (compared only if the trace began with an empty world); after an update, the
-// digest or the number of colliding pairs is not that of the trace; the events of an update are not the difference of
-// the lists before and after it; or an invariant is broken. An update that has no result, or failed, is run but not
-// compared.
+// Runs a trace until its end, or until the first difference. There are these kinds of differences: a new body's id, or
+// the answer to a question, is not that of the trace (compared only if the trace began with an empty world); after an
+// update, the digest or the number of colliding pairs is not that of the trace; the events of an update are not the
+// difference of the lists before and after it; or an invariant is broken. An update that has no result in the trace, or
+// failed, is run but not compared.
 //
 // Throws InvalidTrace if the text is no trace, or if a call in it is refused; NotSupported for a caller's own shape
 // without a reader; ExecutorFailed as World::update does. Whatever the text is, memory and time are proportional to its

@@ -120,9 +120,9 @@ namespace ecods {
 [[nodiscard]] ECODS_API std::optional<FirstContact> settle(const Turning<MeshShape>& a, const Pose& to,
                                                            const Posed<MeshShape>& b, const Ask& ask = {});
 
-// Returns an upper bound of the distance between where a vertex of the shape is at the end of the turn that starts at
-// `from`, and where it is at the pose `to`, over all vertices. It is usually some 1e-16 of the shape's size if the turn
-// is between(from, to, ...). Throws InvalidArgument. Cost: a pass over the vertices.
+// Returns an upper bound, over all vertices of the shape, of the distance of a vertex's place at the end of the turn
+// that starts at `from` from its place at the pose `to`. The bound is usually some 1e-16 of the shape's size if the
+// turn is between(from, to, ...). Throws InvalidArgument. Cost: a pass over the vertices.
 [[nodiscard]] ECODS_API double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const Pose& to);
 
 // ---- ways of turns
@@ -145,10 +145,10 @@ namespace ecods {
 // quaternion is a positive number w, usually 1, so that the body begins at its pose. A way of two nodes, {1, from} and
 // {q, to}, is the Turn {q, from, to}.
 //
-// A leg turns the short way about one axis, by less than half a turn if z0 . z1 > 0, and up to a whole one otherwise: z
-// and -z are the same place, but another way there. So a whole turn takes two legs, as in the example above; more of
-// them take more. A factor on a node's quaternion changes the speed, not the way; of equal lengths, half the time of a
-// leg is half its angle.
+// A leg turns the short way about one axis, by less than half a turn if z0 . z1 > 0, and by up to a whole turn
+// otherwise: z and -z are the same place, but another way to get there. A whole turn takes two legs, as in the example
+// above; k whole turns take 2k. A factor on a node's quaternion changes the speed, not the path. If the quaternions of
+// both nodes have equal lengths, the leg has turned by half its angle at s = 1/2.
 //
 // Example: verify/examples/how_do_i, turn_all_the_way().
 

@@ -166,8 +166,8 @@ class ECODS_API World {
     // Each question takes two subjects, each a body, or a shape or mesh at a pose. Questions do not change the world,
     // and ignore filters. All throw StaleBody, SameBody, NotSupported, and InvalidArgument for a bad pose.
 
-    // Answer as intersection.hpp and distance.hpp say. If several pairs of features tie, closest() of two bodies
-    // chooses as if the body with the lesser id came first.
+    // Answer the questions of intersection.hpp and distance.hpp. If several pairs of features tie, closest() of two
+    // bodies chooses as if the body with the lesser id came first.
     [[nodiscard]] bool intersects(const Asked& a, const Asked& b, const Ask& ask = {}) const;
     [[nodiscard]] Relation relation(const Asked& a, const Asked& b, const Ask& ask = {}) const;
     [[nodiscard]] std::vector<TrianglePair> intersecting_triangles(const Asked& a, const Asked& b,
@@ -180,16 +180,16 @@ class ECODS_API World {
     [[nodiscard]] std::vector<CloseFeatures> close_features(const Asked& a, const Asked& b, double max_distance,
                                                             const Ask& ask = {}) const;
 
-    // Answer as solid.hpp says, and throw the same errors. Throw NotSupported if one of the two is no Solid, or for
-    // depth() and signed_distance() no ConvexSolid, with two exceptions: both calls take a rounded body with another
-    // one or with a mesh of any form, and answer as rounded.hpp says; and signed_distance() takes a half space with any
-    // of these (solid.hpp). If several features tie, depth() and signed_distance() of two bodies choose as if the
-    // body with the lesser id came first.
+    // Answer the questions of solid.hpp, and throw the same errors. Throw NotSupported if one of the two is no Solid,
+    // or for depth() and signed_distance() no ConvexSolid, with two exceptions: both calls take a rounded body with
+    // another one or with a mesh of any form, and answer as rounded.hpp says; and signed_distance() takes a half space
+    // with any of these (solid.hpp). If several features tie, depth() and signed_distance() of two bodies choose as if
+    // the body with the lesser id came first.
     [[nodiscard]] std::optional<Depth> depth(const Asked& a, const Asked& b, const Ask& ask = {}) const;
     [[nodiscard]] SignedDistance signed_distance(const Asked& a, const Asked& b, const Ask& ask = {}) const;
     [[nodiscard]] std::optional<DepthBounds> depth_bounds(const Asked& a, const Asked& b, const Ask& ask = {}) const;
 
-    // Answers as contact.hpp says, with the subjects in the order given, and throws the same errors.
+    // Returns the contact patch of the subjects, in the order given, as contact.hpp says; throws the same errors.
     [[nodiscard]] ContactPatch contact_patch(const Asked& a, const Asked& b, const PatchLimits& limits = {},
                                              const Ask& ask = {}) const;
 

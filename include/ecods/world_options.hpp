@@ -57,7 +57,7 @@ struct WorldOptions {
     std::vector<BodyId> ids = {};
 };
 
-// Describes a body to be created. It must have either a mesh or a shape.
+// BodyOptions describes a body to be created. It must have either a mesh or a shape.
 struct BodyOptions {
     std::shared_ptr<const Mesh> mesh = nullptr;  // bodies with the same Mesh share its tree
     std::shared_ptr<const Shape> shape = nullptr;

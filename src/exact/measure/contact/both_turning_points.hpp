@@ -1,8 +1,8 @@
-// BothTurningCorners computes the corners of two triangles that turn, each by a turn of its own, at any time in [0, 1],
-// in doubles with error bounds. It bounds how far both are from straight motions, too.
+// BothTurningCorners computes the corners of two triangles, each of which turns by a turn of its own, at any time in
+// [0, 1], in doubles with error bounds. It also bounds the distances of the corners from straight motions.
 //
 // Bound. In the bound of turning_points.hpp, all terms but 2 e_p and |p| come from the triangle that turns. Here each
-// triangle adds such terms of its own, since its projections are off by as much as there. The larger one of two
+// triangle adds its own terms, since the projections of each are off by as much as there. The larger one of two
 // magnitudes is at most their sum.
 //
 // Pieces. In a piece of time two turns proceed along their chords at different paces. So both are compared with their
@@ -19,7 +19,8 @@
 
 namespace ecods::exact {
 
-// Holds the rounded corners of both triangles at time 0, an upper bound of their errors on any axis, and both turns.
+// BothTurningPoints holds the rounded corners of both triangles at time 0, an upper bound of their errors on any axis,
+// and both turns.
 struct BothTurningPoints {
     Points<6> start;
     double start_error;
@@ -57,8 +58,8 @@ class BothTurningCorners {
         const Point a = a_.lags(a_.angles().piece(from.a, to.a)), b = b_.lags(b_.angles().piece(from.b, to.b));
         return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
     }
-    // Returns an upper bound of how far one corner of each triangle moves, summed, from the time of `at` to any time at
-    // most `span` from it.
+    // Returns an upper bound of the sum of two ways, each of one corner of a triangle, from the time of `at` to any
+    // time at most `span` from it.
     ECODS_ALWAYS_INLINE double way(const At& at, double span) const noexcept {
         return a_.way(at.a, span) + b_.way(at.b, span);
     }

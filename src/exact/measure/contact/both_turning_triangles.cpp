@@ -18,12 +18,13 @@ Vector plus(const Vector& v, const Vector& w) {
     return {v[0] + w[0], v[1] + w[1], v[2] + w[2]};
 }
 
-// Returns start + s way.
+// Returns the vector start + s way, as polynomials in s.
 Vector linear(const LongVector3& start, const LongVector3& way) {
     return {Quintic(start[0], way[0]), Quintic(start[1], way[1]), Quintic(start[2], way[2])};
 }
 
-// Returns q0 g + s q1(g) + s^2 q2(g).
+// Returns q0 g + s q1(g) + s^2 q2(g), the difference of the turned vector N(s) R(s) g and N(s) g
+// (turning_triangles.hpp).
 Vector change_of(const LongVector3& g, const TurnIntegers& turn) {
     const TurnIntegers::Turned turned = turn.turned(g);
     Vector result;

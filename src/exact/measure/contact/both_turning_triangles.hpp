@@ -1,5 +1,5 @@
-// BothTurningTriangles computes the relative position of two triangles that turn, each by a turn of its own, as
-// polynomials in time; or of one that turns and one whose corners move straight.
+// BothTurningTriangles computes the relative position of two triangles as polynomials in time. Each triangle turns by a
+// turn of its own; or the first one turns, and the corners of the second one move straight.
 //
 // Names are those of turning_triangles.hpp: at time s a point p of a triangle is at L + Q g / N, with g = p - c, the
 // pivot L = c + s m and the norm N, which is positive from time 0 to 1. Rotations keep dot products and turn cross
@@ -43,8 +43,8 @@ namespace ecods::exact {
 
 class BothTurningTriangles final : public RelativePositionOf<Quintic> {
   public:
-    // Takes the corners of both triangles; the places of the first one's pivot at time 0 and 1, and those of the second
-    // one's.
+    // Takes the corners of both triangles; then the places of the first triangle's pivot at time 0 and 1, and those of
+    // the second triangle's pivot.
     template <class Kernel>
     BothTurningTriangles(const IntegerPoints<Kernel, 10>& points, const TurnIntegers& turn_a,
                          const TurnIntegers& turn_b) {
@@ -53,8 +53,8 @@ class BothTurningTriangles final : public RelativePositionOf<Quintic> {
         set(1, {at(3), at(4), at(5)}, at(8), at(9), turn_b);
     }
 
-    // Takes the corners of both triangles at time 0; the corners at time 1 of the second one, which moves straight; and
-    // the places of the first one's pivot at time 0 and 1.
+    // Takes the corners of both triangles at time 0; the corners at time 1 of the second triangle, which moves
+    // straight; and the places of the first triangle's pivot at time 0 and 1.
     template <class Kernel>
     BothTurningTriangles(const IntegerPoints<Kernel, 11>& points, const TurnIntegers& turn_a) {
         const auto at = [&](std::size_t i) { return long_vector(points.at[i]); };
@@ -68,7 +68,7 @@ class BothTurningTriangles final : public RelativePositionOf<Quintic> {
     Quintic edge_volume(std::size_t edge_a, std::size_t edge_b) const override;
 
   private:
-    // Holds the homogeneous coordinates of a triangle's corners, edges and plane.
+    // A Side holds the homogeneous coordinates of a triangle's corners, edges and plane.
     struct Side {
         Quintic norm;
         std::array<Vector, 3> corner, edge, moment;

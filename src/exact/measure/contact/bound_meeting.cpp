@@ -16,7 +16,7 @@ using Double4 = Vec<double, 4>;
 using Four = std::array<Double4, 3>;  // three coordinates of four vectors, one vector in each lane
 
 // Limits the number of steps, each of which shortens or splits an interval. More steps are needed only if the triangles
-// graze each other. A turn may take more of them, since its exact decision takes as long as some thousand steps.
+// graze each other. A turn may take more steps, since its exact decision takes as long as some thousand steps.
 constexpr int step_max = 96, turn_step_max = 512;
 constexpr int coarse_step_max = 3;
 // Limits how far an interval is split: the part that is searched next has at least 2^-32 of its length. The distance of
@@ -32,7 +32,8 @@ ECODS_ALWAYS_INLINE Four four(const Point& a, const Point& b, const Point& c, co
     return {Double4{a[0], b[0], c[0], d[0]}, Double4{a[1], b[1], c[1], d[1]}, Double4{a[2], b[2], c[2], d[2]}};
 }
 
-// Holds the least and the largest dot products of each triangle's corners with four vectors, one vector in each lane.
+// Ends holds the least and the largest dot products of each triangle's corners with four vectors, one vector in each
+// lane.
 struct Ends {
     Double4 low_a, high_a, low_b, high_b;
 
@@ -47,7 +48,8 @@ struct Ends {
     }
 };
 
-// Part is the part of an interval from `first` to `last` times the interval's length; it is empty if first > last.
+// A Part is the part of an interval from `first` to `last`, both relative to the interval's length; it is empty if
+// first > last.
 struct Part {
     double first = 0, last = 1;
 };
@@ -74,10 +76,10 @@ ECODS_ALWAYS_INLINE double above(double sum) noexcept {
     return next_up(next_up(sum + 0x1p-1000));
 }
 
-// Straight is a motion of corners, with all that the search needs. `At` holds the corners at one time, and the factors
-// of their error bound on each axis. A `Chord` is the straight motion between two times. If the error bound
-// widened(error) is subtracted from a gap of the chord, the result is a lower bound of the true gap. earliest() and
-// latest() return the part of the time at which the part `way` of the chord is reached.
+// Straight is a motion of corners on straight lines, for the search. `At` holds the corners at one time, and the
+// factors of their error bound on each axis. A `Chord` is the straight motion between two times. A gap of the chord
+// less widened(error) is a lower bound of the true gap. earliest() and latest() bound the part of the time at which the
+// chord has gone the part `way` of its way.
 class Straight {
   public:
     struct At {
@@ -125,7 +127,7 @@ class Turned {
     TurningCorners corners_;
 };
 
-// AtOneTime is a pair of motions that are each near a straight one at the same time.
+// AtOneTime is a motion of two triangles, each of which is near a straight motion at the same time.
 template <class Corners>
 class AtOneTime {
   public:
@@ -197,7 +199,7 @@ class Bounds {
     }
 
   private:
-    // Holds the corners at one end of an interval, with the error bound of gaps of its chord.
+    // An End holds the corners at one end of an interval, with the error bound of gaps of its chord.
     struct End {
         const Points<6>& points;
         Point error;
@@ -215,8 +217,8 @@ class Bounds {
         shorten(part, (before.low_a - before.high_b) - bound_before, (after.low_a - after.high_b) - bound_after);
     }
 
-    // Returns the points, scaled up if products of their differences could underflow. This happens if the bodies grow
-    // by a large factor on their way.
+    // Returns the points, multiplied by a power of two if products of their differences could underflow, as they can if
+    // the bodies grow by a large factor on their way.
     ECODS_ALWAYS_INLINE static Points<6> without_small(const Points<6>& points) noexcept {
         constexpr double small = 0x1p-64;
         double size = 0;
@@ -230,8 +232,8 @@ class Bounds {
         return result;
     }
 
-    // Returns the part of the interval in which the triangles may share a point. It is shortened by the normals of the
-    // faces and the cross products of edges, as they are at the beginning of the interval.
+    // Returns the part of the interval in which the triangles may share a point. Shortens the interval by gaps along
+    // the normals of the faces and along the cross products of edges, both taken at the beginning of the interval.
     ECODS_ALWAYS_INLINE static Part remaining(const At& at_from, const At& at_to, const Chord& chord) noexcept {
         const End from{at_from.points, chord.widened(at_from.error)}, to{at_to.points, chord.widened(at_to.error)};
         const Points<6> p = without_small(from.points);

@@ -24,9 +24,9 @@
 
 namespace ecods::exact {
 
-// Returns a part of [from, to], 0 <= from <= to <= 1, such that the triangles share no point in [from, to] before that
-// part begins. They may share points in the part; nothing is known about the time after it. Returns nullopt if the
-// triangles share no point in [from, to].
+// bound_first_meeting() returns a part of [from, to], 0 <= from <= to <= 1, such that the triangles share no point in
+// [from, to] before the part begins. In the part they may share points; nothing is known about the time after the part.
+// Returns nullopt if the triangles share no point in [from, to].
 //
 // With coarse effort the part is usually longer, and begins earlier.
 enum class Effort { coarse, fine };

@@ -45,8 +45,8 @@
 
 namespace ecods::exact {
 
-// points: the three corners of the first triangle, which moves, and then the corners of the second. m: the motion, not
-// zero.
+// TranslatedPair holds two triangles and a motion: `points` are the three corners of the first triangle, which is
+// translated, and then the corners of the second; `m` is the motion, which must not be zero.
 template <int L>
 struct TranslatedPair {
     std::array<std::array<Limbs<L>, 3>, 6> points;
@@ -77,11 +77,11 @@ class ContactTimes {
         }
     }
 
-    // Holds the times s0 and s1, of either sign, between which the triangles share a point.
+    // An Interval holds the times s0 and s1, of either sign, between which the triangles share a point.
     struct Interval {
         Time first, last;
     };
-    // Returns nullopt if the triangles share no point at any time.
+    // Returns all times at which the triangles share a point; nullopt if they share none at any time.
     std::optional<Interval> interval() const noexcept {
         Time least{}, greatest{};
         bool is_known = false;
@@ -115,7 +115,8 @@ class ContactTimes {
     bool meets_properly() const noexcept {
         if (all_edges_are_parallel_) return false;
         for (std::size_t side = 0; side < 2; ++side) {
-            // `own` is the side of each edge on which the triangle's third corner is: the sign of m x e0 . e1 = m . n.
+            // `own` is the side of each edge on which the triangle's third corner lies: the sign of m x e0 . e1 = m .
+            // n.
             const int own = sign<3 * L>(dot<2 * L, L>(normal_of(side), m_));
             for (std::size_t i = 0; i < 3; ++i) {
                 if (is_parallel_[side][i]) continue;
@@ -143,7 +144,7 @@ class ContactTimes {
         return is_in_plane(edge) && is_in_plane((edge + 1) % 3);
     }
 
-    // Returns true if time <= 1. The time must be >= 0.
+    // Returns true if time <= 1. The time must not be negative.
     static bool is_by_one(const Time& time) noexcept { return compare(time.size(), 1.0) <= 0; }
 
     // Returns the first pair of features, in the order of feature_pairs, whose relative interiors share a point at time
@@ -166,9 +167,9 @@ class ContactTimes {
         return time;
     }
 
-    // Decides if there is exactly one time at which the features share a point, and sets `time` to it. Returns `inside`
-    // if the point is in both relative interiors, `border` if it is on the border of a feature. Otherwise returns
-    // `none`, and `time` has no meaning.
+    // Sets `time` to the only time at which the features share a point. Returns `inside` if that point is in both
+    // relative interiors, and `border` if it is on the border of a feature. Returns `none`, and `time` has no meaning,
+    // if there is no such time or more than one.
     Standing meeting(const FeaturePair& f, Time& time) const noexcept {
         switch (f.kind) {
             case FeatureKind::vertex_vertex:
@@ -201,7 +202,7 @@ class ContactTimes {
         time = {widened<3 * L>(num), widened<3 * L>(den)};
     }
 
-    // Sets `time` to n.w / n.m and returns true; sets nothing and returns false if n.m is zero.
+    // Sets `time` to n.w / n.m and returns true; if n.m is zero, sets nothing and returns false.
     static bool set_height(const ExactFeatures<L>& features, const Vector& m, const FeaturePair& f,
                            Time& time) noexcept {
         const LimbVector<2 * L> n = features.normal(f);
@@ -212,8 +213,8 @@ class ContactTimes {
     }
     bool set_height(const FeaturePair& f, Time& time) const noexcept { return set_height(features_, m_, f, time); }
 
-    // Does the work of meeting() for a vertex and a face. Seen along m, the vertex is in the face if it is on the same
-    // side of all three edges: the sum of the three determinants is n.m.
+    // Returns the result of meeting() for a vertex and a face. Seen along m, the vertex is in the face if it is on the
+    // same side of all three edges; the sum of the three determinants is n.m.
     Standing of_vertex_and_face(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t face = 1 - f.vertex_side, vertex = f.corner(f.vertex_side);
         int positive = 0, negative = 0;
@@ -225,8 +226,8 @@ class ContactTimes {
         return positive + negative == 3 ? Standing::inside : Standing::border;
     }
 
-    // Does the work of meeting() for two edges. Seen along m, they share a point if neither has both ends strictly on
-    // one side of the other.
+    // Returns the result of meeting() for two edges. Seen along m, the edges share a point if neither edge has both
+    // ends strictly on one side of the other edge.
     Standing of_edges(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t i = f.a, j = f.b, i2 = (i + 1) % 3, j2 = (j + 1) % 3;
         const int b = sides_[0][i][j] * sides_[0][i][j2], a = sides_[1][j][i] * sides_[1][j][i2];
@@ -234,10 +235,10 @@ class ContactTimes {
         return a < 0 && b < 0 ? Standing::inside : Standing::border;
     }
 
-    // Does the work of meeting() for a vertex and an edge in a plane that is parallel to m. The two meet at time s in
-    // the point at parameter t of the edge. Let w be the vector between the features' first corners, from A to B, and v
-    // the edge. If the edge is of B, w = s m - t u, so w x m = t (m x u). If the edge is of A, w = s m + t u, so w x m
-    // = -t (m x u).
+    // Returns the result of meeting() for a vertex and an edge in a plane that is parallel to m. The vertex and the
+    // edge meet at time s in the point at parameter t of the edge. Let w be the vector between the features' first
+    // corners, from A to B, and u the edge. If the edge is of B, w = s m - t u, so w x m = t (m x u). If the edge is of
+    // A, w = s m + t u, so w x m = -t (m x u).
     Standing of_vertex_and_edge(const FeaturePair& f, Time& time) const noexcept {
         const std::size_t edge_of = 1 - f.vertex_side;
         const std::size_t edge = f.corner(edge_of), vertex = f.corner(f.vertex_side);
@@ -270,8 +271,8 @@ class ContactTimes {
 
     ExactFeatures<L> features_;
     Vector m_;
-    // sides_[t][e][c] is the sign of the determinant of m, edge e of triangle t, and the difference of corner c of the
-    // other triangle and the beginning of that edge.
+    // sides_[t][e][c] is the sign of the determinant of three vectors: m, edge e of triangle t, and the difference of
+    // corner c of the other triangle and the beginning of that edge.
     std::int8_t sides_[2][3][3];
     bool is_parallel_[2][3];  // by triangle and edge: true if the edge is parallel to m
     bool all_sides_are_zero_ = true, all_edges_are_parallel_ = true;

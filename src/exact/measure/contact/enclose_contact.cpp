@@ -35,8 +35,8 @@ class ContactEnds {
     ContactEnds(const IntegerPair& pair, const ScaledVector& m, const FeaturePair& f) noexcept
         : x_(pair, f), m_(m), bound_(x_.bound_of_three()), exponent_(x_.w.shift + pair.unit - m.shift) {
         if (f.kind == FeatureKind::vertex_edge) {
-            // n is the normal of the plane of the edge and the motion, so it is perpendicular to the motion up to
-            // rounding.
+            // The vector n_ is the normal of the plane through the edge along the motion, so it is perpendicular to the
+            // motion up to rounding.
             n_ = cross(m_.x, x_.other[f.vertex_side][0].x);
             if (dot(n_, x_.w.x) < 0) n_ = negated(n_);
         } else {

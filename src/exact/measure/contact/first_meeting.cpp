@@ -44,7 +44,7 @@ class MeetingSearch {
         return static_cast<std::size_t>(std::countr_zero(features));
     }
 
-    // Returns the first pair of features of the set that shares a point at the time; null if no pair does.
+    // Returns the first pair in `features` that shares a point at `time`; null if no pair shares one.
     const FeaturePair* first_shared(FeatureSet features, RootOf<P>& time) {
         TrianglesAtRoot then(triangles_, time);
         for (; features != 0; features &= features - 1) {
@@ -113,7 +113,8 @@ PartialAnswer first_meeting_in(RelativePositionOf<P>& triangles, const TimeCells
     return MeetingSearch(triangles, features, &cells).run();
 }
 
-// Computes without rounding: the unit is a power of two that is a normal number, and the integers are below 2^53.
+// Returns the interval of the cells, computed without rounding: the unit is a power of two that is a normal number, and
+// the integers are below 2^53.
 TimeSpan TimeCells::span() const noexcept {
     const double unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - bits) << 52);
     return {static_cast<double>(m) * unit, static_cast<double>(m + count) * unit};

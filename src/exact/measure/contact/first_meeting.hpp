@@ -51,7 +51,8 @@ struct Meeting {
     FeaturePair features;  // the first pair, in the order of feature_pairs, that shares a point at the exact time
 };
 
-// Returns the first meeting in [0, 1]; nullopt if there is none. The triangles must not share a point at time 0.
+// Returns the first meeting of the triangles in [0, 1]; nullopt if they do not meet. The triangles must not share a
+// point at time 0.
 template <class P>
 std::optional<Meeting> first_meeting(RelativePositionOf<P>& triangles);
 
@@ -62,8 +63,9 @@ struct TimeCells {
 
     TimeSpan span() const noexcept;
 };
-// Returns cells that contain `time`. Their length is at most four times the length of `time`, or 2^-43 of its end if
-// that is longer. Returns nullopt if the cells would be longer than short_time, or if `time` is very close to 0.
+// Returns cells that contain `time`. The length of the cells is at most four times the length of `time`, or 2^-43 of
+// the end of `time` if that is longer. Returns nullopt if the cells would be longer than short_time, or if `time` is
+// very close to 0.
 std::optional<TimeCells> cells_around(const TimeSpan& time) noexcept;
 
 struct PartialAnswer {
@@ -71,9 +73,9 @@ struct PartialAnswer {
     std::optional<Meeting> meeting;
 };
 
-// Finds the first meeting before the end of the cells. The triangles must share no point up to the beginning of the
-// cells, and in the cells only pairs of `features` may share points. If a cell contains several candidates, is_known is
-// false in the result.
+// Returns the first meeting before the end of the cells; no meeting if the triangles do not meet before. The triangles
+// must share no point up to the beginning of the cells, and in the cells only pairs of `features` may share points. If
+// a cell contains several candidates, is_known is false in the result.
 template <class P>
 PartialAnswer first_meeting_in(RelativePositionOf<P>& triangles, const TimeCells& cells, FeatureSet features);
 

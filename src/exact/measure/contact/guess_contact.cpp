@@ -23,8 +23,8 @@ class Guess {
                 const Point c = cross(m, edge_[side][i]);
                 square_[side][i] = dot(c, c);
                 for (Index j = 0; j < 3; ++j) over_[side][i][j] = dot(c, minus(at(1 - side, j), at(side, i)));
-                // own_ is the determinant for the triangle's own third corner. For each corner of the other triangle it
-                // equals the sum of over_ over the three edges.
+                // own_ is the determinant for the triangle's own third corner. For each corner of the other triangle,
+                // own_ equals the sum of over_ over the three edges.
                 own_[side][i] = dot(c, minus(at(side, next_corner(next_corner(i))), at(side, i)));
             }
         }
@@ -46,7 +46,8 @@ class Guess {
   private:
     const Point& at(Index side, Index i) const noexcept { return x_[3 * side + i]; }
 
-    // Sets best_ to the edge with the widest gap between the projections; returns false if no edge separates them.
+    // Sets best_ to the edge with the widest gap between the projections; returns false if no edge separates the
+    // projections.
     ECODS_ALWAYS_INLINE bool find_gap() noexcept {
         double widest = 0;
         for (Index side = 0; side < 2; ++side) {
@@ -67,7 +68,8 @@ class Guess {
         return widest > 0;
     }
 
-    // Takes the time of corner j of the other triangle and the face of `side`, if the corner is over the face.
+    // Passes the time at which corner j of the other triangle meets the face of `side` to take(), if the corner is over
+    // the face.
     ECODS_ALWAYS_INLINE void try_face(Index side, Index j) noexcept {
         const double s0 = over_[side][0][j], s1 = over_[side][1][j], s2 = over_[side][2][j];
         const bool is_inside = (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);

@@ -1,4 +1,4 @@
-// guess_contact guesses which features first share a point if the first of two triangles is translated.
+// guess_contact() guesses which features first share a point if the first one of two triangles is translated.
 #pragma once
 
 #include "exact/measure/distance/feature_pair.hpp"
@@ -19,7 +19,7 @@ struct ContactGuess {
     FeaturePair features;
 };
 
-// Guesses in doubles, without error bounds. `m` is the motion of the first triangle.
+// Returns a guess computed in doubles, without error bounds. `m` is the motion of the first triangle.
 ContactGuess guess_contact(const IntegerPair& pair, const ScaledVector& m) noexcept;
 
 }  // namespace ecods::exact

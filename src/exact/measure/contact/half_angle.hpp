@@ -1,4 +1,5 @@
-// TurnAngles computes how far a turn has gone at a time, in doubles with error bounds, in any rounding mode.
+// TurnAngles computes half the angle by which a body has turned at a time, in doubles with error bounds, in any
+// rounding mode.
 //
 // The quaternion at time s is (a, b e) with a = 1 + s (w - 1), b = s |v| and the axis e = v / |v|. Let h = |(a, b)|,
 // cos = a / h and sin = b / h: cosine and sine of half the angle by which the body has turned.
@@ -35,19 +36,20 @@ struct HalfAngle {
     double condition;  // k: how much cancellation enlarges the errors
 };
 
-// Bounds how a turn between two times differs from a straight motion between the same places (turning_points.hpp).
+// TurnPiece bounds how far a turn between two times is from a straight motion between the same places
+// (turning_points.hpp).
 struct TurnPiece {
     double sagitta = std::numeric_limits<double>::infinity();  // of a point at distance 1 from the axis
     double chord = 0;                                          // way of such a point on its straight motion
     double shift = 0;                                          // of a pivot that glides by 1 in the piece; below 2^20
     double pace = 0;                                           // least weight, divided by the greatest one
 
-    // Returns an upper bound of how far a point at distance 1 from the axis is from its straight motion at the same
-    // part of the piece's time. (The sagitta is the distance from the nearest point of the straight motion.)
+    // Returns an upper bound of the distance of a point at distance 1 from the axis from its straight motion at the
+    // same part of the piece's time. (The sagitta is the distance from the nearest point of the straight motion.)
     ECODS_ALWAYS_INLINE double lag() const noexcept { return (sagitta + shift * chord) * (1 + 8 * two_u); }
 
-    // Return the least and the greatest part of the time of the piece at which the straight motion may have gone the
-    // part `way` of its way, rounded outwards.
+    // Return the least and the greatest part of the piece's time at which the straight motion may have gone the part
+    // `way` of its way; both are rounded outwards.
     ECODS_ALWAYS_INLINE double earliest(double way) const noexcept {
         return way > 0 ? (pace * way) / ((1 - way) + pace * way) * (1 - 16 * two_u) : 0;
     }
@@ -73,7 +75,8 @@ class TurnAngles {
     bool is_bounded() const noexcept { return is_bounded_; }
     const Point& axis() const noexcept { return axis_; }  // zero if the body only glides
 
-    // Returns about the greatest condition at any time: for w < 0, near a = 0, it is 2 |w| / |v|.
+    // Returns an estimate of the greatest condition at any time: for w < 0 the condition is greatest near a = 0, where
+    // it is 2 |w| / |v|.
     double condition_limit() const noexcept { return w_ < 0 ? -2 * w_ / length_ : 1; }
 
     ECODS_ALWAYS_INLINE HalfAngle at(double s) const noexcept {
@@ -83,15 +86,15 @@ class TurnAngles {
     }
 
     // Returns an upper bound of d (half the angle) / ds = |v| / h^2 at all times that are at most `span` from the time
-    // of `half`; infinity if none is found. h changes by at most |q - 1| for each unit of time.
+    // of `half`; infinity if no bound is found. h changes by at most |q - 1| for each unit of time.
     ECODS_ALWAYS_INLINE double speed(const HalfAngle& half, double span) const noexcept {
         const double change = 1.0625 * span * ((std::abs(w_) + 1) + length_), h = half.length;
         if (!(change < 0.25 * h) || !(half.condition < condition_max)) return std::numeric_limits<double>::infinity();
         return 1.0625 * length_ / ((h - change) * (h - change));
     }
 
-    // Returns bounds for the piece between two times. The sagitta is infinite if the piece is a third of a turn or
-    // more, or if its weights differ by a factor of 2^20.
+    // Returns the bounds of the piece between the times of z0 and z1. The sagitta is infinite if the piece is a third
+    // of a turn or more, or if its weights differ by a factor of 2^20.
     //
     // Let z0 and z1 be the quaternions at its ends: w0 = |z0|^2, w1 = z0.z1 and w2 = |z1|^2, here divided by w0. The
     // cosine of half the piece's angle is off by less than off = 32 u' (1 + k0 + k1). Its sine is (a0 b1 - a1 b0) / (h0

@@ -15,7 +15,7 @@ namespace {
 
 using Numerators = RelativePosition::Vector;
 
-// LongPolynomial is a polynomial of any degree; its first coefficient is the constant one.
+// A LongPolynomial is a polynomial of any degree; its first coefficient is the constant term.
 using LongPolynomial = std::vector<Integer>;
 
 LongPolynomial square(const Polynomial& p) {
@@ -31,7 +31,7 @@ LongPolynomial square(const Polynomial& p) {
     return result;
 }
 
-// Adds k p to the sum.
+// Adds k p to the polynomial `sum`.
 void add(LongPolynomial& sum, const Integer& k, const LongPolynomial& p) {
     if (sum.size() < p.size()) sum.resize(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) sum[i] = sum[i] + k * p[i];
@@ -51,14 +51,14 @@ class NumbersAtRoot {
     NumbersAtRoot(Root& root, const Polynomial& p, double time) : root_(root), p_(p), near_(binary_fraction(time)) {}
 
     int sign_of(const Polynomial& g) { return root_.sign_of(g); }
-    // Returns the sign of p just before the root.
+    // Returns the sign of p_ just before the root.
     int sign_before() {
         int alternating = -1;
         for (Polynomial d = derivative(p_);; d = derivative(d), alternating = -alternating) {
             if (const int sign = sign_of(d); sign != 0) return alternating * sign;
         }
     }
-    // Returns num / den times 2^unit, at the root. den must not be zero there.
+    // Returns num / den times 2^unit at the root, rounded once. den must not be zero there.
     double quotient(const Polynomial& num, const Polynomial& den, int unit) {
         const int sign_num = sign_of(num), sign_den = sign_of(den);
         if (sign_num == 0) return 0;
@@ -74,7 +74,7 @@ class NumbersAtRoot {
         });
         return sign_num * sign_den < 0 ? opposite(size) : size;
     }
-    // Returns f / |f| at the root.
+    // Returns the unit vector f / |f| at the root; each coordinate is rounded once.
     Vec3 direction(const Numerators& f) {
         LongPolynomial length;
         std::array<LongPolynomial, 3> squares;
@@ -122,7 +122,8 @@ class NumbersAtRoot {
         for (std::size_t i = 0; i < g.size(); ++i) c[i] = std::move(g[i]);
         return sign * sign_of(Polynomial(std::move(c)));
     }
-    // Returns the value of p at the rounded time, times a power of two that is the same for all polynomials.
+    // Returns an approximate value at the root: that of p at the rounded time, times a power of two that is the same
+    // for all polynomials.
     Integer value_near(const Polynomial& p) const {
         Integer value;
         for (int i = Polynomial::degree_max; i >= 0; --i) {
@@ -143,8 +144,9 @@ const Polynomial* first_not_zero(const Numerators& v) noexcept {
     return nullptr;
 }
 
-// Returns a polynomial that is zero whenever the features share a point: the volume of a vertex and a face, or of two
-// edges. The zero polynomial says nothing.
+// Returns a polynomial that is zero at each time at which the features share a point: their volume for a vertex and a
+// face or for two edges, otherwise a coordinate of their turn or difference that is not the zero polynomial. Returns
+// the zero polynomial, which gives no information, if there is no other.
 Polynomial vanishing(RelativePosition& triangles, const FeaturePair& f) {
     const std::size_t side = f.vertex_side;
     Numerators coordinates;
@@ -198,7 +200,7 @@ Vec3 point_at(RelativePosition& triangles, const SecondCorners& second, const Fe
     return point;
 }
 
-// Returns the normal of a face or of two edges, from the first to the second triangle.
+// Returns the unit normal of a face or of two edges at the root, from the first to the second triangle.
 Vec3 normal_at(RelativePosition& triangles, const FeaturePair& f, NumbersAtRoot& numbers) {
     int sign = numbers.sign_before();
     Numerators n;

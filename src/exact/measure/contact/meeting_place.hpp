@@ -1,5 +1,5 @@
-// find_meeting_place computes the point that two features of moving triangles share when they first meet, and the
-// normal along which they come together, for any kind of motion.
+// find_meeting_place() computes the point that two features of moving triangles share when they first meet, and the
+// normal along which the features come together, for any kind of motion.
 //
 // Let s be the time: a root of a polynomial p of degree 3 at most. Coordinates of the point are quotients of
 // polynomials at s, and those of a normal quotients of a polynomial f and the root of a sum of squares, L. Each is
@@ -38,8 +38,8 @@ struct MeetingPlace {
     std::optional<Vec3> normal;  // from the first to the second triangle; only for a vertex and a face, or two edges
 };
 
-// Returns nullopt if these features do not share a point for the first time at a time that rounds to `time`, or if they
-// share one throughout.
+// Returns the point and the normal of the meeting of these features; nullopt if they share no point at a time that
+// rounds to `time`, or if the polynomial that would have this time as a root is zero at all times.
 std::optional<MeetingPlace> find_meeting_place(RelativePosition& triangles, const SecondCorners& second,
                                                const FeaturePair& features, double time);
 

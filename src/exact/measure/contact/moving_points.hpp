@@ -31,7 +31,8 @@
 
 namespace ecods::exact {
 
-// Holds the rounded corners of both triangles at times 0 and 1, and upper bounds of their errors on any axis.
+// MovingPoints holds the rounded corners of both triangles at times 0 and 1, and upper bounds of the errors of the
+// corners on any axis.
 struct MovingPoints {
     Points<6> start, end;
     double start_error, end_error;
@@ -42,7 +43,8 @@ struct TimeSpan {
     double from, to;
 };
 
-// Computes moving corners relative to the first corner at time 0, because the others are near it.
+// MovingCorners computes corners that move straight, relative to the first corner at time 0, because the others are
+// near it.
 class MovingCorners {
   public:
     static constexpr double underflow = 0x1p-990;

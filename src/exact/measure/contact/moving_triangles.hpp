@@ -15,7 +15,7 @@ namespace ecods::exact {
 
 class MovingTriangles final : public RelativePosition {
   public:
-    // Takes the corners of both triangles at time 0, and then the same corners at time 1. Ignores later points.
+    // Takes the corners of both triangles at time 0, and then the same corners at time 1. Ignores points after these.
     template <class Kernel, std::size_t N>
     requires(N >= 12) explicit MovingTriangles(const IntegerPoints<Kernel, N>& points) { set(points.at); }
     explicit MovingTriangles(const std::array<std::array<Integer, 3>, 12>& points) { set(points); }
@@ -43,7 +43,8 @@ class MovingTriangles final : public RelativePosition {
     std::array<std::optional<Vector>, 18> turns_;
 };
 
-// Evaluates the relative position of two moving triangles at one time.
+// TrianglesAtRoot evaluates the relative position of two moving triangles at one time, which is the root of a
+// polynomial.
 template <class P>
 class TrianglesAtRoot {
   public:
@@ -60,8 +61,8 @@ class TrianglesAtRoot {
   private:
     static constexpr std::int8_t unknown = 2;
 
-    // Returns the sign of the polynomial make() at this time. `known` caches the sign, so each polynomial is made and
-    // evaluated only once.
+    // Returns the sign of the polynomial make() at this time. `known` caches the sign, so each polynomial is computed
+    // and evaluated only once.
     template <class Make>
     int sign_of(std::int8_t& known, const Make& make);
     int order(std::size_t i, std::size_t j, std::size_t axis);

@@ -35,8 +35,8 @@ class Sieve {
         edges_ = edges_of(p_);
     }
 
-    // Returns the pairs of features that may share a point. Tries cheap vectors first; after these, usually one pair is
-    // left.
+    // Returns the pairs of features that may share a point. Tries vectors that are cheap to compute first; after these
+    // vectors, usually one pair is left.
     FeatureSet run() noexcept {
         if (!is_bounded_) return all_features;
         for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) look_along(axis);
@@ -56,7 +56,7 @@ class Sieve {
     }
 
   private:
-    // Removes from left_ the pairs of features that vector n certainly separates.
+    // Removes the pairs of features that vector n certainly separates from left_.
     void look_along(const Point& n) noexcept {
         const auto on = [&](std::size_t i) { return (n[0] * p_[i][0] + n[1] * p_[i][1]) + n[2] * p_[i][2]; };
         const double bound = ((std::abs(n[0]) * error_[0] + std::abs(n[1]) * error_[1]) + std::abs(n[2]) * error_[2]) +

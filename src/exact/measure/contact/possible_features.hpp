@@ -1,4 +1,4 @@
-// possible_features computes, in doubles and in any rounding mode, which features of two moving triangles may share a
+// possible_features() computes, in doubles and in any rounding mode, which features of two moving triangles may share a
 // point in a short interval of time.
 //
 // During an interval of length w that contains time s, each corner is within w V of its position at s, where V is the
@@ -34,7 +34,7 @@ inline constexpr double short_time = 0x1p-20;
 // second.
 using CornerPairs = std::uint32_t;
 
-// Returns all pairs of a corner of the first feature and a corner of the second.
+// Returns all pairs of a corner of f's first feature and a corner of f's second feature.
 constexpr CornerPairs corner_pairs(const FeaturePair& f) noexcept {
     CornerPairs result = 0;
     for (std::size_t i = 0; i < f.corner_count(0); ++i) {

@@ -9,8 +9,8 @@
 
 namespace ecods::exact {
 
-// Names corner `corner` of triangle `side`, and the edge of the other triangle that begins at corner `edge`. The first
-// triangle is side 0.
+// CornerAndEdge names corner `corner` of triangle `side`, and the edge of the other triangle that begins at corner
+// `edge`. The first triangle is side 0.
 struct CornerAndEdge {
     std::size_t side;  // triangle of the corner
     std::size_t corner;
@@ -21,9 +21,9 @@ constexpr std::size_t index_of(const CornerAndEdge& which) noexcept {
     return 9 * which.side + 3 * which.corner + which.edge;
 }
 
-// Each polynomial is the number that its function names, times a factor that depends on the time alone and is positive
-// at all times from 0 to 1. All turns have one factor, all volumes another, and all differences a third. P is the type
-// of the polynomials, for their greatest degree.
+// RelativePositionOf gives, by each function, the polynomial of a number that the function's comment names, times a
+// factor. The factor depends only on the time, and is positive at all times from 0 to 1. All turns have one factor, all
+// volumes another, and all differences a third. P is the type of the polynomials, for their greatest degree.
 template <class P>
 class RelativePositionOf {
   public:
@@ -31,7 +31,7 @@ class RelativePositionOf {
 
     virtual ~RelativePositionOf() = default;
 
-    // Returns coordinate `axis` of corner i of the first triangle minus corner j of the second.
+    // Returns coordinate `axis` of the difference (corner i of the first triangle) - (corner j of the second triangle).
     virtual P difference(std::size_t i, std::size_t j, std::size_t axis) const = 0;
     // Returns (q - p) x (c - p) for the edge from p to q and the corner c. It is zero if and only if c is on the line
     // of the edge, or p = q. The result is cached.

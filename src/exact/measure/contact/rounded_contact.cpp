@@ -23,8 +23,8 @@ bool are_from_zero(const RootSum& time, std::initializer_list<Linear> numbers) {
     return true;
 }
 
-// Replaces `best` by the end at `time` if that is better: less if direction is 1, greater if it is -1. Of equal ends,
-// the first features are kept.
+// Replaces `best` by the end at `time` if `time` is less than best's and direction is 1, or greater and direction is
+// -1. If both times are equal, keeps the features in `best`.
 void take(std::optional<RoundedContact::End>& best, const std::optional<RootSum>& time, const FeaturePair& f,
           int direction) {
     if (!time) return;

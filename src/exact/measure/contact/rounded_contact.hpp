@@ -1,4 +1,4 @@
-// RoundedContact computes when a translated triangle is within a distance p of another one.
+// RoundedContact computes the times at which a translated triangle is within a distance p of another triangle.
 //
 // While the first triangle A goes along s m, it is within p of the second one B if and only if the point s m is in K +
 // p: within p of the set of differences K = B - A. K is convex, so these s form a closed interval, or there are none. K
@@ -33,11 +33,13 @@ namespace ecods::exact {
 
 class RoundedContact {
   public:
-    // corners: those of A, then those of B. p must be positive; the motion must not be zero for interval().
+    // Takes the three corners of A, then those of B; the motion of A; and the distance p, which must be positive.
+    // interval() requires a motion that is not zero.
     RoundedContact(const std::array<ScaledLongVector, 6>& corners, const ScaledLongVector& motion, const ExactSum& p);
 
-    // An End of the interval is its time, rounded once and at least 2^-1074 in magnitude unless it is 0, and the first
-    // pair of features, in the order of feature_pairs, that is at the distance p at this time.
+    // An End of the interval is its time, exact and rounded once, and the first pair of features, in the order of
+    // feature_pairs, whose distance at this time is p. The rounded time is at least 2^-1074 in magnitude unless the
+    // time is 0.
     struct End {
         RootSum time;
         double rounded = 0;
@@ -49,27 +51,27 @@ class RoundedContact {
     // Returns all times at which the triangles are within p of each other, of either sign; nullopt if there are none.
     std::optional<Interval> interval() const;
 
-    // A Place says where two features are closest at a time. `point` divides the segment between their closest points:
-    // it is at the part radius_a / p of the way from A to B. `normal` is the unit vector along the segment, from A to
-    // B. Each coordinate is rounded once.
+    // A Place holds the contact point and normal of two features at a time. `point` divides the segment between the
+    // closest points of the features: it is at the part radius_a / p of the way from A to B. `normal` is the unit
+    // vector along the segment, from A to B. Each coordinate is rounded once.
     struct Place {
         Vec3 point, normal;
     };
-    // Returns where the features of f are closest at the time; nullopt if they are parallel, or an edge has no length.
-    // The normal is right if the segment has the length p; otherwise only the point has a meaning. radius_a must be
+    // Returns the Place of the features of f at `time`; nullopt if the features are parallel, or an edge has no length.
+    // The normal is correct if the segment has the length p; otherwise only the point has a meaning. radius_a must be
     // from 0 to p.
     std::optional<Place> place(const FeaturePair& f, const RootSum& time, const ScaledInteger& radius_a) const;
 
   private:
-    // A Piece is a corner, an edge, a triangle or a parallelogram of K, whose first corner is at -w.
+    // A Piece is a corner, an edge, a triangle or a parallelogram of K = B - A, whose first corner is at -w.
     struct Piece {
         ScaledLongVector w;
         std::size_t dimension = 0;
         ScaledLongVector u, v;
         bool is_triangle = false;
     };
-    // Holds the times at which the point s m enters and leaves a piece. A time is empty if the foot of s m is not in
-    // the piece's feature at that time.
+    // Times holds the times at which the point s m (s is the time, m the motion) enters and leaves a piece. A time is
+    // empty if the foot of s m is not in the piece's feature at that time.
     struct Times {
         std::optional<RootSum> enter, leave;
     };

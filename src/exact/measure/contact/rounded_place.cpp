@@ -1,4 +1,5 @@
-// Computes where two features are closest at a time, and along which direction, while one is translated.
+// This file computes the points at which two features are closest at a time, and the direction between them, while one
+// is translated.
 //
 // Names are those of rounded_contact.hpp. At time s let W = w + s m be the vector from the piece's first corner to the
 // point s m, and D = y - x the vector from the closest point x of A's feature to the closest point y of B's. D leads
@@ -31,7 +32,7 @@ struct LinearVector {
     }
 };
 
-// Returns sum / den. den must be positive.
+// Returns the quotient sum / den. den must be positive.
 RootSum quotient(RootSum sum, const ScaledInteger& den) {
     sum.z = sum.z * den.m();
     sum.e -= den.e();
@@ -50,14 +51,15 @@ Vec3 round_at(const LinearVector& v, const RootSum& time, const ScaledInteger& d
 
 }  // namespace
 
-// Returns N; 0 if an edge has no length, or edges or sides are parallel.
+// Returns the factor N of the table above: 1 for two vertices, u.u for an edge, n.n for a plate. It is 0 if an edge has
+// no length, or if edges or sides are parallel.
 ScaledInteger RoundedContact::square_of(const Piece& piece) {
     if (piece.dimension == 0) return ScaledInteger(1.0);
     const ScaledLongVector n = piece.dimension == 1 ? piece.u : cross(piece.u, piece.v);
     return dot(n, n);
 }
 
-// Returns N D for the vector x in place of W.
+// Returns N D of the table above, with the vector x in place of W.
 ScaledLongVector RoundedContact::across(const Piece& piece, const ScaledLongVector& x) {
     if (piece.dimension == 0) return {-x[0], -x[1], -x[2]};
     if (piece.dimension == 1) return cross(piece.u, cross(piece.u, x));

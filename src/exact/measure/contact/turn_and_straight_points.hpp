@@ -1,5 +1,6 @@
-// TurnAndStraightCorners computes the corners of a triangle that turns and of one whose corners move straight, at any
-// time in [0, 1], in doubles with error bounds. It bounds how far both are from straight motions, too.
+// TurnAndStraightCorners computes the corners of a triangle that turns and of a triangle whose corners move straight,
+// at any time in [0, 1], in doubles with error bounds. It also bounds the distances of the corners from straight
+// motions.
 //
 // Bound. A straight corner at time s is computed as P (1 - s) + Q s. Let e_p and e_q bound the errors of P and Q on
 // each axis, and |p| and |q| be the largest magnitudes of corners at time 0 and of these Q. As in moving_points.hpp the
@@ -19,8 +20,8 @@
 
 namespace ecods::exact {
 
-// Holds the rounded corners of both triangles at time 0; the turn of the first one; and the corners of the second one
-// at time 1. An error is an upper bound on any axis.
+// TurnAndStraightPoints holds the rounded corners of both triangles at time 0; the turn of the first triangle; and the
+// corners of the second triangle at time 1. Each error is an upper bound on any axis.
 struct TurnAndStraightPoints {
     Points<6> start;
     double start_error;
@@ -29,10 +30,10 @@ struct TurnAndStraightPoints {
     double end_error;
 };
 
-// StraightSide is the triangle of the last three of six corners, which move straight.
+// StraightSide computes the places of the second triangle, whose corners move straight.
 class StraightSide {
   public:
-    // Takes the corners at time 0 and 1. scale() must follow.
+    // Takes the corners at time 0 and 1. The caller must call scale() next.
     ECODS_ALWAYS_INLINE explicit StraightSide(const TurnAndStraightPoints& points) noexcept
         : end_error_(points.end_error), largest_given_(points.end_error) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -43,7 +44,7 @@ class StraightSide {
             size_ = std::max({size_, largest(end_[i]), largest(ways_[i])});
         }
     }
-    // The next functions do what the functions of the same names of TurningSide do.
+    // The next functions have the contracts of the functions with the same names in TurningSide.
     ECODS_ALWAYS_INLINE double largest_given() const noexcept { return largest_given_; }
     ECODS_ALWAYS_INLINE double size() const noexcept { return size_; }
     ECODS_ALWAYS_INLINE static bool is_bounded() noexcept { return true; }
@@ -60,8 +61,8 @@ class StraightSide {
     }
     ECODS_ALWAYS_INLINE double way(double span) const noexcept { return 1.0625 * span * way_ + TurningSide::underflow; }
 
-    // Sets the last three corners to their places at a time, in place of those at time 0, and adds the terms of their
-    // motion to the factors of the error bound of gaps.
+    // Replaces the last three corners, which are at their places at time 0, by their places at `time`, and adds the
+    // error terms of the motion to the factors of the error bound of gaps.
     ECODS_ALWAYS_INLINE void go(double time, Points<6>& points, Point& error) const noexcept {
         const double rest = 1 - time;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -101,7 +102,7 @@ class TurnAndStraightCorners {
         return result;
     }
 
-    // Both functions do what those of the same names of BothTurningCorners do.
+    // The next two functions have the contracts of the functions with the same names in BothTurningCorners.
     ECODS_ALWAYS_INLINE Point margins(const At& from, const At& to) const noexcept {
         return turning_.lags(turning_.angles().piece(from.half, to.half));
     }

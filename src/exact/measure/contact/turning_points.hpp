@@ -1,5 +1,5 @@
-// TurningCorners computes the corners of a triangle that turns and of one at rest, at any time in [0, 1], in doubles
-// with error bounds. It bounds how far a turn is from a straight motion, too.
+// TurningCorners computes the corners of a triangle that turns and of a triangle at rest, at any time in [0, 1], in
+// doubles with error bounds. It also bounds the distance of a turn from a straight motion.
 //
 // Places. With half the angle (half_angle.hpp) and g = p - c, a corner is at
 //     x = p + s m + 2 sin cos d1 + 2 sin^2 d2,   d1 = e x g,   d2 = e x d1.
@@ -31,16 +31,16 @@
 
 namespace ecods::exact {
 
-// TurnOfPoints is the turn of rounded corners: the pivot at time 0 and its way, with upper bounds of their errors on
-// any axis. `angles` must outlive users of this struct.
+// TurnOfPoints describes the turn of rounded corners: the pivot at time 0 and its glide, with upper bounds of their
+// errors on any axis. `angles` must outlive users of this struct.
 struct TurnOfPoints {
     Point pivot, glide;
     double pivot_error, glide_error;
     const TurnAngles* angles;
 };
 
-// Holds the rounded corners of both triangles at time 0, and an upper bound of their errors on any axis. The first
-// triangle turns.
+// TurningPoints holds the rounded corners of both triangles at time 0, and an upper bound of the errors of the corners
+// on any axis. The first triangle turns.
 struct TurningPoints {
     Points<6> start;
     double start_error;
@@ -50,10 +50,10 @@ struct TurningPoints {
 // TurningSide computes the places of three corners that turn.
 class TurningSide {
   public:
-    // Lengths whose squares are lost to underflow are below this one.
+    // `underflow` is an upper bound of all lengths whose squares are lost to underflow.
     static constexpr double underflow = 0x1p-500;
 
-    // Takes the three corners in `points` from index `first` on. scale() must follow.
+    // Takes the three corners in `points` from index `first` on. The caller must call scale() next.
     ECODS_ALWAYS_INLINE TurningSide(const Points<6>& points, std::size_t first, const TurnOfPoints& turn) noexcept
         : turn_(turn) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ class TurningSide {
             arm_ = std::max(arm_, sum_of_magnitudes(across_[i]));
         }
     }
-    // Return the largest of the numbers given, and of those computed at any time.
+    // Return the largest of the given numbers, and the largest of the numbers computed at any time.
     ECODS_ALWAYS_INLINE double largest_given() const noexcept {
         return std::max({turn_.pivot_error, largest(turn_.pivot), largest(turn_.glide)});
     }
@@ -88,8 +88,8 @@ class TurningSide {
         way_ = std::sqrt(dot(glide_, glide_)) * (1 + 8 * two_u) + 2 * glide_error_ + underflow;
     }
 
-    // Moves corners from their places at time 0 to those at a later time, and adds the errors of the turn to the
-    // factors of the error bound of gaps.
+    // Moves the corners from their places at time 0 to their places at the time of `half`, and adds the errors of the
+    // turn to the factors of the error bound of gaps.
     ECODS_ALWAYS_INLINE void turn(const HalfAngle& half, Points<6>& points, std::size_t first,
                                   Point& error) const noexcept {
         const double turned = 2 * half.sin * half.cos, inward = 2 * half.sin * half.sin, sin = std::abs(half.sin);
@@ -105,11 +105,11 @@ class TurningSide {
         }
     }
 
-    // Return, for each axis, an upper bound of how far corners are from their straight motion, in a piece of this
-    // length in time: margins() from its nearest point, and lags() from its point at the same time. A sagitta is across
-    // the axis of the turn, so coordinate k of a vector of this length is at most sqrt(1 - e_k^2) of it; both other
-    // coordinates of e are off by 5.01 u' of themselves, or lost if they are below 2^-500. The same bound holds for a
-    // chord. A glide that is lost to underflow is below 2^-620.
+    // Return, for each axis, an upper bound of the distance of corners from their straight motion, in a piece of this
+    // length in time: margins() from the nearest point of the straight motion, and lags() from its point at the same
+    // time. A sagitta is perpendicular to the axis e of the turn, so coordinate k of a vector of this length is at most
+    // sqrt(1 - e_k^2) of it; both other coordinates of e are off by 5.01 u' of themselves, or lost if they are below
+    // 2^-500. The same bound holds for a chord. A glide that is lost to underflow is below 2^-620.
     ECODS_ALWAYS_INLINE Point margins(const TurnPiece& piece, double length) const noexcept {
         Point result;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -160,7 +160,7 @@ class StartCorners {
     ECODS_ALWAYS_INLINE double largest_given() const noexcept { return largest_given_; }
     ECODS_ALWAYS_INLINE double size() const noexcept { return largest(most_); }
 
-    // Scales these corners, and sides that move, so that the largest length is about 1. Returns false if the error
+    // Scales the corners, and the sides that move, so that the largest length is about 1. Returns false if the error
     // bounds do not hold.
     template <class... Side>
     ECODS_ALWAYS_INLINE bool scale(Side&... sides) noexcept {
@@ -175,7 +175,7 @@ class StartCorners {
     }
 
     const Points<6>& points() const noexcept { return points_; }
-    // Returns factors of the error bound of gaps, as in MovingCorners::error_at(), if nothing turns.
+    // Returns the factors of the error bound of gaps, as in MovingCorners::error_at(), for corners at rest.
     ECODS_ALWAYS_INLINE Point errors() const noexcept {
         Point result;
         for (std::size_t k = 0; k < 3; ++k) result[k] = 1.125 * 2 * error_ + 32 * two_u * most_[k];
@@ -213,7 +213,7 @@ class TurningCorners {
     ECODS_ALWAYS_INLINE TurnPiece piece(const At& from, const At& to) const noexcept {
         return side_.angles().piece(from.half, to.half);
     }
-    // Do the same as the functions of these names in TurningSide.
+    // The next functions have the contracts of the functions with the same names in TurningSide.
     ECODS_ALWAYS_INLINE Point margins(const TurnPiece& piece, double length) const noexcept {
         return side_.margins(piece, length);
     }

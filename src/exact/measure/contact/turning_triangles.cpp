@@ -71,7 +71,7 @@ void TurningTriangles::set(const std::array<LongVector3, point_count>& points) {
     }
 }
 
-// Returns N (start + s way) + rest.
+// Returns N (start + s way) + rest, as a polynomial in s.
 Polynomial TurningTriangles::over_norm(const Integer& start, const Integer& way, const Beside<Integer>& rest) const {
     const LongVector3& n = turn_.n;
     return Polynomial(Polynomial::Coefficients{n[0] * start + rest.zeroth, n[1] * start + n[0] * way + rest.first,

@@ -1,6 +1,6 @@
-// TurningTriangles computes the relative position of a triangle that turns and one that is at rest or translated, as
-// polynomials in time. A translation of the other body is subtracted from the way of the pivot, so that the other body
-// is at rest.
+// TurningTriangles computes the relative position of a triangle that turns and a triangle that is at rest or
+// translated, as polynomials in time. A translation of the second body is subtracted from the way of the pivot, so that
+// the second body is at rest.
 //
 // A point p of the first triangle is at c + s m + Q(s) g / N(s) at time s, with g = p - c, the pivot c and its way m.
 // The quaternion moves straight from one quaternion to another: in a unit in which all components of both are integers,
@@ -45,12 +45,12 @@ using LongVector3 = std::array<Integer, 3>;
 
 // TurnIntegers holds the numbers E, U, F, V and the coefficients of N.
 struct TurnIntegers {
-    // Holds the vectors q0 g, q1(g) and q2(g) of a vector g.
+    // Turned holds the vectors q0 g, q1(g) and q2(g) of a vector g.
     struct Turned {
         LongVector3 zeroth, first, second;
     };
 
-    // Take a turn from the quaternion 1 to (w, v), and from one quaternion to another.
+    // The constructors take a turn from the quaternion 1 to (w, v), or a turn from one quaternion to another.
     TurnIntegers(double w, const Vec3& v);
     TurnIntegers(const Quaternion& from, const Quaternion& to);
 
@@ -65,9 +65,9 @@ class TurningTriangles final : public RelativePosition {
   public:
     static constexpr std::size_t point_count = 11;
 
-    // Takes the corners of the triangle that turns, at the start of its way, then those of the other one; the places of
-    // the pivot at time 0 and 1; both ends of the vector by which the other triangle is translated; and the place of
-    // the pivot at the start of the way. Later points do not matter. `turn` must outlive this object.
+    // Takes the corners of the triangle that turns, at the start of its way, and the corners of the other triangle;
+    // then the places of the pivot at time 0 and 1; both ends of the vector by which the other triangle is translated;
+    // and the place of the pivot at the start of the way. Ignores later points. `turn` must outlive this object.
     template <class Kernel, std::size_t N>
     requires(N >= point_count) TurningTriangles(const IntegerPoints<Kernel, N>& points, const TurnIntegers& turn)
         : turn_(turn) {
@@ -86,7 +86,7 @@ class TurningTriangles final : public RelativePosition {
 
   private:
     using Turned = TurnIntegers::Turned;
-    // Holds the coefficients of 1, s, s^2 and s^3 of a number, or a vector, that is added to N (start + s way).
+    // Beside holds the coefficients of 1, s, s^2 and s^3 of a number, or a vector, that is added to N (start + s way).
     template <class T>
     struct Beside {
         T zeroth, first, second, third = {};
