@@ -33,7 +33,7 @@ struct StageCounts {
     friend bool operator==(const StageCounts&, const StageCounts&) = default;
 };
 
-// Holds a stage's name in reports, and its count.
+// A Stage holds the name of a stage in reports, and its count.
 struct Stage {
     const char* name;
     std::uint64_t StageCounts::*count;

@@ -192,10 +192,10 @@ class ECODS_API Deforming {
     std::shared_ptr<const Parts> parts_;
 };
 
-// Return the first contact of a deforming mesh with a body at rest, a body that moves from one pose to another
-//, or another deforming mesh, in either order; nullopt if there is none up to max_time. If a part of one
-// body is inside a solid at the start, the first contact is at time 0. Start from a witness, and leave the triangles
-// that decided. Throw InvalidArgument if max_time is negative or NaN; a max_time above 1 counts as 1.
+// Return the first contact of a deforming mesh with a body at rest, a body that moves from one pose to another, or
+// another deforming mesh, in either order; nullopt if there is none up to max_time. If a part of one body is inside a
+// solid at the start, the first contact is at time 0. Start from a witness, and leave the triangles that decided. Throw
+// InvalidArgument if max_time is negative or NaN; a max_time above 1 counts as 1.
 //
 // Cost: that of cast() of moving bodies, as long as triangles that are near each other at time 0 stay near each other:
 // the tree of boxes is that of time 0, with boxes at both ends of the motion. Meshes above 2^200 or below 2^-200 cost

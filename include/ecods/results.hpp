@@ -114,9 +114,9 @@ struct SharedSet {
     // normal.
     std::array<Vec3, 6> all_corners{};
 
-    // Is a unit vector in three cases; otherwise empty. (1) The shared set is inside one triangle's face, and in a
-    // vertex or an edge of the other triangle: the face's normal, (q - p) x (r - p) of its corners p, q and r. (2) It
-    // is in both faces: the first triangle's normal. (3) It is one point inside an edge of each, and these edges are
+    // `normal` is a unit vector in three cases; otherwise empty. (1) The shared set is inside one triangle's face, and
+    // in a vertex or an edge of the other triangle: the face's normal, (q - p) x (r - p) of its corners p, q and r. (2)
+    // It is in both faces: the first triangle's normal. (3) It is one point inside an edge of each, and these edges are
     // not parallel: the cross product of the first triangle's edge and the second's, each from its corner to the next
     // one. (If edges of a zero-area triangle lie on each other, the edge of the least corner counts.)
     std::optional<Vec3> normal;
@@ -138,10 +138,10 @@ struct CloseFeatures {
     // Holds the two features with their own distance and closest points. Features that touch have distance 0.
     ClosestPoints closest;
 
-    // Is a unit vector, or empty. If the distance is positive: the direction from the closest point of `a` to the
-    // closest point of `b`. If it is 0 and a vertex touches a face: the face's normal, (q - p) x (r - p) of its corners
-    // p, q and r. If it is 0 and two edges touch: the cross product of the edge of `a` and the edge of `b`, each from
-    // the corner that names it to the next one. Empty for all other kinds.
+    // `direction` is a unit vector, or empty. If the distance is positive: the direction from the closest point of `a`
+    // to that of `b`. If it is 0 and a vertex touches a face: the face's normal, (q - p) x (r - p) of its corners p, q
+    // and r. If it is 0 and two edges touch: the cross product of the edge of `a` and the edge of `b`, each from the
+    // corner that names it to the next one. Empty for all other kinds.
     std::optional<Vec3> direction;
 };
 

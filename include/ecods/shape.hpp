@@ -243,7 +243,7 @@ class ECODS_API TwoBodyTest {
 
     virtual ClosestPoints closest(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const;
 
-    // Answer as intersection.hpp and distance.hpp say.
+    // Answer the questions of the same names in intersection.hpp and distance.hpp, in the same way.
     virtual std::vector<TriangleIntersection> intersections(const Posed<Shape>& a, const Posed<Shape>& b,
                                                             const Ask& ask) const;
     virtual std::vector<CloseFeatures> close_features(const Posed<Shape>& a, const Posed<Shape>& b, double max_distance,

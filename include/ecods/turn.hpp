@@ -92,8 +92,9 @@ namespace ecods {
 [[nodiscard]] ECODS_API Turn about(const Vec3& axis, double angle, const Vec3& pivot);
 
 // Returns the turn, the short way, of a body that goes from one pose to another, in which the point `pivot_in_body` of
-// the body goes straight. Everything is rounded, so the turn ends near `to`, at a distance that end_gap() bounds. The
-// matrices should differ by a rotation alone; if they do not, the turn does not end near `to`. Throws InvalidArgument
+// the body goes straight. The numbers of the turn are rounded, so it ends near `to`, at a distance that end_gap()
+// bounds. The matrices should differ by a rotation alone; if they do not, the turn does not end near `to`. Throws
+// InvalidArgument
 // if a number is not finite, or if the matrices do not differ by something like a rotation and a factor: one of them
 // mirrors and the other does not, shears or is singular (Argument::pose).
 [[nodiscard]] ECODS_API Turn between(const Pose& from, const Pose& to, const Vec3& pivot_in_body);
@@ -127,8 +128,8 @@ namespace ecods {
 
 // ---- ways of turns
 
-// A Way is a path of turns without gaps: a body that stays rigid goes from node to node. Casts along a way
-// find when the body first shares a point with another one. No World is needed.
+// A Way is a path of turns without gaps: a body that stays rigid goes from node to node. Casts along a way find when
+// the body first shares a point with another one. No World is needed.
 //
 //     const Way way(link, pose, {{{1, 0, 0, 0}, hinge}, {{0, 0, 0, 1}, hinge}, {{-1, 0, 0, 0}, hinge}});
 //     if (auto met = cast(way, {wall, Pose()})) met->leg, met->contact.time
@@ -139,9 +140,9 @@ namespace ecods {
 //
 //     x = c0 + s (c1 - c0) + R (p - c),     R the rotation of the quaternion (1 - s) z0 + s z1,
 //
-// as real numbers; a quaternion of any length is a rotation (turn.hpp has the formula). So quaternions are those of the
+// as real numbers; a quaternion of any length is a rotation (the formula is above). So quaternions are those of the
 // turn since the beginning, not since the last node; the body is exactly rigid all the way; and one leg begins exactly
-// where the one before it ends. Neither errors nor the cost of a leg grow with the number of nodes. The first node's
+// where the leg before it ends. Neither errors nor the cost of a leg grow with the number of nodes. The first node's
 // quaternion is a positive number w, usually 1, so that the body begins at its pose. A way of two nodes, {1, from} and
 // {q, to}, is the Turn {q, from, to}.
 //
@@ -184,10 +185,10 @@ struct WayContact {
     friend bool operator==(const WayContact&, const WayContact&) = default;
 };
 
-// Returns the first contact of a with b, which stays; nullopt if there is none on any leg. Decided for the real
-// numbers, as cast.hpp says. A contact at a node is the last one of the leg that ends there, at its time 1, so a leg
-// begins with a contact at time 0 on leg 0 only. A time that rounds to 1 belongs to the leg in which the real time is.
-// To stop earlier, leave nodes out. contact_point() (contact.hpp) has the point and the normal.
+// Returns the first contact of a with b, which stays; nullopt if there is none on any leg. Real numbers decide, as
+// cast.hpp says. A contact at a node is the last contact of the leg that ends there, at its time 1, so a leg begins
+// with a contact at time 0 on leg 0 only. A time that rounds to 1 belongs to the leg in which the real time is. To stop
+// earlier, leave nodes out. contact_point() (contact.hpp) has the point and the normal.
 //
 // Starts from a witness, and leaves the triangles that decided. Throws what validate() throws; NotSupported as cast()
 // of a Turning does, if a leg is such a turn and there is no contact before it. Cost: that of a cast of a Turning for
@@ -196,12 +197,13 @@ struct WayContact {
 [[nodiscard]] ECODS_API std::optional<WayContact> cast(const Way<MeshShape>& a, const Posed<MeshShape>& b,
                                                        const Ask& ask = {});
 
-// Returns settle() of turn.hpp from the end of the last leg.
+// Returns the first contact of a with b while a moves straight from its place at the end of the last leg to the pose
+// `to`, as settle() of a Turning does; nullopt if there is none.
 [[nodiscard]] ECODS_API std::optional<FirstContact> settle(const Way<MeshShape>& a, const Pose& to,
                                                            const Posed<MeshShape>& b, const Ask& ask = {});
 
-// Returns the pose at a time of a leg, from 0 to 1, each entry rounded once. Throws InvalidArgument; also if there is
-// no such leg (Argument::turn, "nodes").
+// Returns the pose at a time, from 0 to 1, of a leg; each entry is rounded once. Throws InvalidArgument; also if there
+// is no such leg (Argument::turn, "nodes").
 [[nodiscard]] ECODS_API Pose pose_at(const Pose& pose, std::span<const WayNode> nodes, std::size_t leg, double time);
 
 }  // namespace ecods

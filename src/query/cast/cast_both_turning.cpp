@@ -18,8 +18,7 @@ bool is_zero_vector(const exact::LongVector3& v) {
     return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }
 
-// Returns true if quaternions proportional to the ones of two turns q and r are equal at every time, so that the
-// rotations are equal.
+// Returns true if turns by the quaternions q and r have the same rotation at every time.
 bool have_same_rotation(const Quaternion& q, const Quaternion& r) {
     const Vec3 v = vector_of(q), w = vector_of(r);
     return same_point(v, w) && (is_zero(v) || same_point({q.w, 0, 0}, {r.w, 0, 0}));

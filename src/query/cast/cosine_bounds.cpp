@@ -6,9 +6,10 @@ namespace ecods {
 
 using exact::Integer;
 
-// Let t = m / 2^bits and N = degree. Horner's scheme sums c_n t^n / n! for n from 0 to N, times N! 2^(bits N); c_n is
-// 1, 0, -1, 0, ... for the cosine and 0, 1, 0, -1, ... for the sine. By Taylor's theorem both sums are off by at most
-// t^(N + 1) / (N + 1)!, which times the scale is m^(N + 1) / (2^bits (N + 1)).
+// Sums Taylor's series by Horner's scheme in integers. Let t = m / 2^bits and N = degree. The scheme sums c_n t^n / n!
+// for n from 0 to N, times N! 2^(bits N); c_n is 1, 0, -1, 0, ... for the cosine and 0, 1, 0, -1, ... for the sine. By
+// Taylor's theorem both sums are off by at most t^(N + 1) / (N + 1)!, which times the scale is m^(N + 1) / (2^bits (N +
+// 1)).
 CosineBounds bound_cosine(const exact::BinaryFraction& t, int degree) {
     CosineBounds result;
     Integer factor(std::int64_t{1});  // N! / n! 2^(bits (N - n))

@@ -91,8 +91,8 @@ class MeetingQuestion {
     }
 
   private:
-    // Holds a pair of triangles that waits in the queue. `known` says how `time` was computed: as the bound of the
-    // boxes, or by narrow() with coarse or fine effort.
+    // A Candidate is a pair of triangles that waits in the queue. `known` says how `time` was computed: as the bound of
+    // the boxes, or by narrow() with coarse or fine effort.
     struct Candidate {
         enum class Known : std::uint8_t { boxes, coarse, fine };
 

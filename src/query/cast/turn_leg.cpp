@@ -45,8 +45,8 @@ exact::Point point_of(const Vec3& v) {
     return {v[0], v[1], v[2]};
 }
 
-// Limits all entries of the pose to 2^1020. Error bounds do not hold above this limit (turning_points.hpp); below it,
-// sums can overflow only to infinity.
+// Limits all entries of the pose to 2^1020 in magnitude. Error bounds do not hold above this limit
+// (turning_points.hpp); below it, sums can overflow only to infinity.
 void clamp(Pose& pose) {
     constexpr double unbounded = 0x1p1020;
     pose.R = pose.R.cwiseMax(-unbounded).cwiseMin(unbounded);

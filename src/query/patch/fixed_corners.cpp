@@ -31,7 +31,8 @@ std::optional<FixedCorners> FixedCorners::of(convex::PosedHulls& hulls, const co
 }
 
 // Sets unit_ such that the coordinates of points, the translation and the radii are below 2^120 units, and sums of two
-// of them below 2^121. Returns false if all numbers are zero, or if the points are not exact enough in this unit.
+// of them below 2^121. Returns false if all numbers are zero, or if the unit or the error of the points is too large
+// beside unit_.
 bool FixedCorners::bind() {
     constexpr int digits = 120;
     const bool is_exact = hulls_->has_fixed_points();

@@ -39,7 +39,7 @@ class FixedCorners {
         exact::IntegerVector x;
         std::uint64_t error;
     };
-    // Holds the coordinates of both points of a corner, and of their sum.
+    // Coordinates holds the coordinates of both points of a corner, and of the sum of the points.
     struct Coordinates {
         std::array<exact::FixedNumber, 3> a, b, sum;
     };

@@ -1,4 +1,4 @@
-// Computes the contact patch of a convex body and a half space.
+// This header declares the contact patch of a convex body and a half space.
 #pragma once
 
 #include "ecods/contact.hpp"

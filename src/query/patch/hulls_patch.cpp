@@ -43,8 +43,9 @@ class HullsPatch final : public Turn {
     }
 
   private:
-    // Sets least_ to the least difference of the hulls, and core_distance_ to their distance or depth. If the solids
-    // may touch, tries find_deepest() first, because it is much faster than the distance.
+    // Sets least_ to the least difference of the hulls, and, if there are no radii, patch_.distance to their distance
+    // or minus their depth. If the hulls may touch, tries find_deepest() first, because it is much faster than the
+    // distance.
     void find_least(depths::DepthMemory& memory, PairWitness& witness) {
         const convex::QuickClosest quick = convex::find_quickly(hulls_, &witness);
         if (quick.may_touch(hulls_) && find_deepest(memory, witness)) return;

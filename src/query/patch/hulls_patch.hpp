@@ -1,4 +1,4 @@
-// Computes the contact patch of two posed hulls with radii around them.
+// This header declares the contact patch of two posed hulls, each with a radius around it.
 #pragma once
 
 #include "ecods/contact.hpp"

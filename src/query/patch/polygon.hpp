@@ -26,8 +26,8 @@ struct Polygon {
     std::size_t index_of(const HullFeature& part, std::size_t start = 0) const noexcept;
 
     HullFeature feature;
-    // Holds the vertices, each with the edge to the next one. The vertices of a face are counterclockwise around the
-    // normal.
+    // `corners` holds the vertices, each with the edge to the next one. The vertices of a face are counterclockwise
+    // around the normal.
     ShortList<convex::Hull::Neighbor, 32> corners;
 };
 

@@ -1,13 +1,14 @@
-// Bounds. Let points be off by u' = 2^-52 of the largest coordinate X, and differences from the first point have
-// coordinates of at most D. Such a difference is off by 2 u' X + u' D on each axis: less than e = 4 u' X + 2^-400,
-// since D <= 2 X. The true one is at most W = D + 2 e. An area is the triple product of the normal n and two
-// differences: six products of three factors. Each is off by 2 W e + u' W^2 for its factors, and 6 u' W^2 for its
-// roundings. With W <= 3 X, so u' W <= 0.75 e, all six are off by less than 44 W e. A sum of t areas is off by t times
-// as much, and by t u' of 6 t W^2 for its own roundings. Two sums differ for certain if they differ by more than twice
-// that. The square of a distance across the normal is the sum of the squares of three sums of two products: those of
-// the cross product of n and a difference. Each sum is at most 2 W and off by 2 e + 8 u' W, which is 8 e; each square
-// by 36 W e; all three, and their sums of up to 12 W^2 with three roundings, by less than 150 W e, and two of them by
-// less than 300 W e.
+// This derivation bounds the errors of areas and distances in doubles. Let each coordinate of a point be off by at most
+// u' X, with u' = 2^-52 and X the largest magnitude of a coordinate, and let differences from the first point have
+// coordinates of at most D. A difference is off by 2 u' X + u' D on each axis: less than e = 4 u' X + 2^-400, since D
+// <= 2 X. The true difference is at most W = D + 2 e. An area is the triple product of the normal n and two
+// differences: six products of three factors. Each product is off by 2 W e + u' W^2 for its factors, and 6 u' W^2 for
+// its roundings. With W <= 3 X, so u' W <= 0.75 e, all six are off by less than 44 W e. A sum of t areas is off by t
+// times as much, and by t u' of 6 t W^2 for its own roundings. Two sums differ for certain if their difference is more
+// than twice this error. The square of a distance across the normal is the sum of the squares of three sums of two
+// products: the coordinates of the cross product of n and a difference. Each coordinate is at most 2 W and off by 2 e +
+// 8 u' W, which is at most 8 e; each square is off by 36 W e; the sum of all three squares, which is at most 12 W^2 and
+// has three roundings, by less than 150 W e, and the difference of two such sums by less than 300 W e.
 // Claim: verify/proofs/patch_areas.py
 #include "query/patch/reduce.hpp"
 
@@ -99,8 +100,8 @@ class Triangles {
         }
         return *long_[i];
     }
-    // Returns the square of p's length across the normal, times n.n: (p.p)(n.n) - (p.n)^2, with p the vector from the
-    // first point to point i, times both denominators.
+    // Returns the square of the distance of point i from the first point, measured across the normal n, times n.n
+    // d_0^2: (M_i.M_i)(n.n) - (M_i.n)^2, divided by d_i^2.
     Quotient exact_across(std::size_t i) const {
         const ScaledLongVector &p = at(i).from_first, &n = exact_normal();
         const ScaledInteger along = dot(p, n);

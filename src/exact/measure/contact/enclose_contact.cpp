@@ -1,5 +1,6 @@
-// Derivation. w, a1, a2, b1, b2, ScaledVectors, E, and the bounds of polynomials are defined in triangle_vectors.hpp.
-// The motion m is one more ScaledVector, each coordinate off by less than one of its units.
+// This derivation proves the bounds of enclose_contact(). w, a1, a2, b1, b2, ScaledVectors, E, and the bounds of
+// polynomials are defined in triangle_vectors.hpp. The motion m is one more ScaledVector, each coordinate off by less
+// than one of its units.
 //
 // Lower bound. Let n be ANY vector whose coordinates are doubles. For every point p of the first triangle and q of the
 // second, n.(q - p) is at least G = n.w + min(0, n.b1, n.b2) - max(0, n.a1, n.a2). If the triangles share a point at

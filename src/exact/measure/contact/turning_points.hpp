@@ -198,7 +198,7 @@ class TurningCorners {
     // Returns true if all numbers are small enough for the error bounds to hold.
     ECODS_ALWAYS_INLINE bool is_bounded() const noexcept { return is_bounded_; }
 
-    // Holds the corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().
+    // An At holds the corners at one time, and factors of the error bound of gaps, as in MovingCorners::error_at().
     struct At {
         HalfAngle half;
         Points<6> points;
