@@ -94,9 +94,8 @@ namespace ecods {
 // Returns the turn, the short way, of a body that goes from one pose to another, in which the point `pivot_in_body` of
 // the body goes straight. The numbers of the turn are rounded, so it ends near `to`, at a distance that end_gap()
 // bounds. The matrices should differ by a rotation alone; if they do not, the turn does not end near `to`. Throws
-// InvalidArgument
-// if a number is not finite, or if the matrices do not differ by something like a rotation and a factor: one of them
-// mirrors and the other does not, shears or is singular (Argument::pose).
+// InvalidArgument if a number is not finite, or if the matrices do not differ by something like a rotation and a
+// factor: one of them mirrors and the other does not, shears or is singular (Argument::pose).
 [[nodiscard]] ECODS_API Turn between(const Pose& from, const Pose& to, const Vec3& pivot_in_body);
 
 // Returns the pose at a time of a body that starts at `pose`, each entry rounded once (a number that is not 0 is never

@@ -16,7 +16,7 @@ namespace ecods {
 
 class BothTurningPairs {
   public:
-    // Everything that the arguments refer to must outlive this object.
+    // Binds two meshes that turn. All objects that the arguments refer to must outlive this object.
     void bind(const Turning<MeshShape>& a, const Turning<MeshShape>& b, CastCounts& counts);
 
     // The next two functions have the contracts of the functions with the same names in MovingPairs.

@@ -95,7 +95,6 @@ class MeetingDecision {
     // longer than the one before, because `time` may end before the meeting: points far from their mesh's origin have
     // large errors. For turns, `time` mostly ends before the meeting; its length is about 2^-42 there. With a first
     // span of 2^-44, turns took five times as many exact decisions, and straight motions took as many.
-    // and straight motions took as many.
     std::optional<exact::Meeting> decide(exact::TimeSpan time, double to) {
         if (const auto* whole = known_.find_whole(triangles_)) return *whole;
         constexpr std::array<double, 3> lengths{0x1p-40, 0x1p-34, 0x1p-28};  // relative to time.to

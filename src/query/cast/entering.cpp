@@ -19,7 +19,7 @@ class Entering : public TranslatedPairs {
     using Interval = ContactInterval;
     using Value = PairEntry;
 
-    // Returns false if there is certainly no contact from time 0 to `end`.
+    // Binds the bodies and the motion. Returns false if there is certainly no contact from time 0 to `end`.
     bool bind(const MeshPair& bodies, const Vec3& motion, double end, SlidingEdges* edges, CastCounts& counts) {
         edges_ = edges;
         end_ = end;

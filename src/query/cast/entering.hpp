@@ -19,9 +19,9 @@ class SlidingEdges {
     // Returns true if the triangle of body `side` belongs to the boundary of that body.
     virtual bool counts(std::size_t side, std::uint32_t triangle) const = 0;
 
-    // Call only if edge `corner` of a triangle of body `side` is in the plane of triangle `face` of the other body, and
-    // this plane is parallel to the motion. Returns the time in [0, end), rounded once, from which on the solid at the
-    // edge is inside the other solid at the face; nullopt if there is no such time.
+    // Returns the time in [0, end), rounded once, from which on the solid at an edge is inside the other solid at a
+    // face; nullopt if there is no such time. Edge `corner` of a triangle of body `side` must be in the plane of
+    // triangle `face` of the other body, and this plane must be parallel to the motion.
     virtual std::optional<double> time(std::size_t side, std::uint32_t triangle, std::uint32_t corner,
                                        std::uint32_t face, double end) = 0;
 };

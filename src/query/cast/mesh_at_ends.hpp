@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-// Everything that the arguments of a constructor refer to must outlive this object.
+// A MeshAtEnds refers to the objects that the arguments of its constructor refer to; these objects must outlive it.
 struct MeshAtEnds {
     explicit MeshAtEnds(const Moving<MeshShape>& rigid)
         : start(*rigid.what, rigid.from),

@@ -16,7 +16,7 @@ namespace ecods {
 
 class MovingPairs {
   public:
-    // Everything that the arguments refer to must outlive this object.
+    // Binds two meshes that move straight. All objects that the arguments refer to must outlive this object.
     void bind(const MeshAtEnds& a, const MeshAtEnds& b, CastCounts& counts);
 
     // Returns an interval within [from, to] that contains the first time at which the triangles share a point, if they

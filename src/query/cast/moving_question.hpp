@@ -39,7 +39,7 @@ class StraightBoxes {
 // StraightMotion is the Motion of MeetingQuestion for two bodies whose points move straight.
 class StraightMotion : public MovingPairs, public StraightBoxes {
   public:
-    // Everything that the arguments refer to must outlive this object.
+    // Binds the trees and axes to two meshes. All objects that the arguments refer to must outlive this object.
     void bind_boxes(const MeshAtEnds& a, const MeshAtEnds& b);
 };
 

@@ -1,5 +1,5 @@
-// OneTimeMemory is the scratch of searches in which a piece compares the motions of both bodies with straight motions
-// at the same time.
+// OneTimeMemory is scratch memory of casts in which each body is compared, at each time, with a straight motion at the
+// same time.
 #pragma once
 
 #include "query/cast/both_turning_question.hpp"

@@ -13,8 +13,8 @@ namespace ecods {
 
 class TranslatedPairs {
   public:
-    // Returns false if there is certainly no contact from time 0 to `latest`. Everything that the arguments refer to
-    // must outlive this object.
+    // Binds two bodies, the first of which is translated by `motion`. Returns false if there is certainly no contact
+    // from time 0 to `latest`. All objects that the arguments refer to must outlive this object.
     bool bind(const MeshPair& bodies, const Vec3& motion, double latest, CastCounts& counts) {
         const MeshBody &a = bodies.a, &b = bodies.b;
         counts_ = &counts;

@@ -15,8 +15,8 @@ namespace ecods {
 
 class TriangleContacts {
   public:
-    // Cost: constant. The motion must be finite and not zero. Everything that the arguments refer to must outlive this
-    // object.
+    // Binds mesh a, which is translated by `motion`, and mesh b. The motion must be finite and not zero. All objects
+    // that the arguments refer to must outlive this object. Cost: constant.
     void bind(const exact::BodyRef& a, const Vec3& motion, const exact::BodyRef& b);
 
     // Returns an interval, with bounds that doubles prove, that contains the time of first contact of triangle `i` of
