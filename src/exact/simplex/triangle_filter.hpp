@@ -84,8 +84,8 @@ inline FilterAnswer filter_again(const Points<6>& w, double bound, const FilterT
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
 
-// TracedSigns is a FilteredSigns that takes sides() from a trace in which both members are set. It computes other
-// signs.
+// TracedSigns is a FilteredSigns whose sides() are taken from a FilterTrace with `first` and `second` set. All other
+// signs are computed as in FilteredSigns.
 template <class Kernel>
 class TracedSigns : public FilteredSigns<Kernel, 6> {
   public:

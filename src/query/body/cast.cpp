@@ -1,5 +1,5 @@
-// Answers the questions of cast.hpp. If a part of one body is inside the other at the start, the bodies meet at time 0;
-// all other bodies meet first where their boundaries do.
+// Implements the casts of cast.hpp. If a part of one body is inside the other at the start, the bodies meet at time 0;
+// otherwise their first contact is that of their boundaries.
 #include "ecods/cast.hpp"
 
 #include "base/limits.hpp"

@@ -1,4 +1,4 @@
-// Casts a body along nodes as along a way; the time follows from the leg and the time in the leg.
+// Casts a body along nodes by the cast along a Way; computes the time from the leg and the time in the leg.
 #include "query/body/cast_along.hpp"
 
 #include "base/double_key.hpp"

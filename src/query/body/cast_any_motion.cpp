@@ -1,5 +1,5 @@
-// Casts two bodies that move in any way, by the cast for the kinds of their motions. A body at rest counts as straight,
-// as translated and as turned by the angle 0, whichever the motion of the other one is.
+// Casts two bodies with any kinds of motions, by the cast for these two kinds. A body at rest counts as straight, as
+// translated or as turned by the angle 0, whichever suits the motion of the other body.
 #include <utility>
 #include <variant>
 
@@ -24,7 +24,7 @@ const Vec3* translation(const Pose& start, const Motion& motion) {
     return straight_end(start, motion) == &start ? &rest : nullptr;
 }
 
-// Returns the contact of a and b, where cast_exchanged(ask) casts b against a.
+// Returns the first contact of a and b, found by cast_exchanged(ask), which must cast b against a.
 template <class Cast>
 std::optional<FirstContact> cast_in_other_order(const Ask& ask, const Cast& cast_exchanged) {
     Asking asking(ask);

@@ -1,4 +1,4 @@
-// Declares casts of bodies of which one goes straight to a pose, and the other one moves in another way.
+// Declares casts of two bodies: one goes straight to a pose, and the other one moves in another way.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,8 @@
 
 namespace ecods {
 
-// These casts do what the casts of cast.hpp and turn.hpp do. Turn and poses must be valid.
+// The casts return the first contact of a and b up to max_time, as the casts of cast.hpp and turn.hpp do. Turn and
+// poses must be valid.
 std::optional<FirstContact> cast(const Turning<MeshShape>& a, const Moving<MeshShape>& b, double max_time,
                                  const Ask& ask);
 std::optional<FirstContact> cast(const StraightMove& a, const StraightMove& b, double max_time, const Ask& ask);

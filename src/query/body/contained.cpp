@@ -26,8 +26,9 @@ bool is_outside(const Aabb& box, const RoundedVertex& vertex) noexcept {
 
 enum class Wanted : std::uint8_t { any, least };
 
-// Looks for pieces of the boundary of `part` that have a vertex in `whole`, which must have an inside. Returns the
-// least triangle of such a piece: of the first one found if `wanted` is any, otherwise the least of all pieces.
+// Returns the least triangle of a piece of the boundary of `part` that has a vertex in `whole`, which must have an
+// inside: of the first such piece found if `wanted` is any, otherwise the least of all such pieces; nullopt if there is
+// none.
 std::optional<std::uint32_t> find_piece(const PosedBody& part, const PosedBody& whole, Wanted wanted,
                                         QueryMemory& memory) {
     const Pose& pose = part.boundary().pose;

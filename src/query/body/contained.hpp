@@ -1,4 +1,4 @@
-// Decides whether a part of one body is inside another one, which questions about surfaces do not show.
+// Decides whether a part of one body is inside another one: a fact that questions about surfaces leave open.
 //
 // Suppose that sets A and B share a point, and that their boundaries share none. Then a piece of one boundary is inside
 // the other set. Proof: a common point is inside B, say, or on the boundary of B and inside A. A point inside both

@@ -1,5 +1,5 @@
-// Declares the questions of distance.hpp about two bodies with radii around them. Such a body is the set of all points
-// within a radius of its core; with radius 0, it is the core.
+// Declares the functions of distance.hpp for two rounded bodies. A rounded body is the set of all points within a
+// radius of its core; with radius 0, the body is the core.
 #pragma once
 
 #include "ecods/ask.hpp"

@@ -1,5 +1,5 @@
-// Answers casts of deforming meshes. A deforming mesh is a surface. It meets a solid that contains a part of it at time
-// 0; otherwise it first meets the solid where it meets the solid's boundary.
+// Implements casts of deforming meshes. A deforming mesh is a surface. It meets a solid at time 0 if the solid contains
+// a part of the mesh; otherwise its first contact is that with the solid's boundary.
 #include "ecods/cast.hpp"
 
 #include <optional>
@@ -14,7 +14,7 @@
 namespace ecods {
 namespace {
 
-// Holds a body as a set of points at the start, and its boundary at both ends of its motion.
+// BodyOnItsWay holds a body as a set of points at the start, and the body's boundary at both ends of the motion.
 class BodyOnItsWay {
   public:
     explicit BodyOnItsWay(const Deforming& mesh)

@@ -1,5 +1,5 @@
-// Answers the questions of distance.hpp. Questions about solids are first asked about their boundaries. Two convex
-// solids have a search of their own, whose features are those of the sets.
+// Implements distance.hpp. A query about solids first searches their boundaries. Two convex solids have a search of
+// their own, which returns features of the convex sets.
 #include "ecods/distance.hpp"
 
 #include <limits>
@@ -19,14 +19,15 @@
 namespace ecods {
 namespace {
 
-// Rounds the point R v + t once: the point is the closest point, to itself, of a body that is this point alone.
+// Returns the point R v + t, rounded once. It is computed as the closest point of a body that consists of this point.
 Vec3 round_point(const Vec3& v, const Pose& pose, QueryMemory& memory) {
     const MeshShape point(Mesh::create({v}, {Triangle{0, 0, 0}}));
     const Posed<MeshShape> body(point, pose);
     return as_part(memory, [&] { return surface::closest(body, body, memory); }).point_a;
 }
 
-// Returns the closest points if a part of one body is inside the other one: both are the same point of that part.
+// Returns the closest points if a part of one body is inside the other one; otherwise nullopt. Both closest points are
+// the same point of that part.
 std::optional<ClosestPoints> closest_of_contained(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
                                                   const BodyPairAsked& bodies, QueryMemory& memory) {
     const std::optional<ContainedFeatures> features = find_contained(bodies, memory);
@@ -39,8 +40,8 @@ std::optional<ClosestPoints> closest_of_contained(const Posed<MeshShape>& a, con
     return ClosestPoints{0, ClosestKind::contained, features->a, features->b, point, point};
 }
 
-// Returns the doubles beside the rounded distance. If they are too far apart, it returns the two between which the
-// distance is.
+// Returns the two doubles next to the rounded distance. If this interval is wider than the tolerance, returns two
+// adjacent doubles with the real distance between them.
 DistanceBounds bounds_of_convex(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                 const DistanceTolerance& tolerance, QueryMemory& memory, PairWitness& witness) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -80,7 +81,8 @@ double cores::distance(const Core& a, const Core& b, const exact::ExactSum& marg
     });
 }
 
-// Compares keys, because a NaN has no place in the order of doubles; in the order of keys it is beyond the infinities.
+// Returns true if the real distance is at most max_distance. An infinite max_distance is recognized by its key, which
+// no mode of the processor changes.
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
     require_distance(max_distance);
     if (key_of(max_distance) == infinity_key) return true;

@@ -1,4 +1,4 @@
-// Searches for the first time at which a moving body is near another one, by bisecting times.
+// Searches for the first time at which a moving body is within a distance of another one, by bisecting times.
 #pragma once
 
 #include <array>
@@ -14,8 +14,9 @@ namespace ecods {
 
 using PairList = std::vector<TrianglePair>;
 
-// Lists pairs for parts of the time from 0 to `last`, earlier parts first, until all pairs have been taken that may be
-// near first. take(pairs) returns the first time of all pairs taken so far, or infinity.
+// Calls take(pairs) with the pairs of triangles that may be near in parts of the time from 0 to `last`, earlier parts
+// first, until all pairs that may be the first to be near have been taken. take(pairs) returns the first time of all
+// pairs taken so far, or infinity.
 //
 // list(from, to, most) must return all pairs that may be near at some time from `from` to `to`, and a little later;
 // nullopt if there are more than `most`. In that case, the part is cut in two, and twice as many pairs are allowed in

@@ -1,4 +1,5 @@
-// Answers when a body first goes into another one, and where it is free before.
+// Computes the first time at which a body enters the interior of another one, and the last pose at which it is free
+// before.
 #include "query/cast/entering.hpp"
 
 #include <cstdint>
@@ -23,7 +24,7 @@ Feature face_of(std::uint32_t triangle) noexcept {
     return {Feature::Kind::face, triangle, 0};
 }
 
-// Returns true for relations in which no inner points of solids, or of triangles, meet.
+// Returns true for a relation of two bodies without common inner points of solids or of triangles.
 bool is_free(Relation relation) noexcept {
     return relation == Relation::apart || relation == Relation::touching;
 }
@@ -77,7 +78,7 @@ std::optional<Pose> pose_before(const Posed<MeshShape>& a, const Vec3& motion, c
         if (!is_finite(pose) || !is_free(relation(Posed<MeshShape>(*a.what, pose), b, memory))) return std::nullopt;
         return pose;
     };
-    // Tries the pose at the time, then those at (1 - 2^-k) times the time for k from 52 down to 0.
+    // Tries the pose at the time of entry, then the poses at (1 - 2^-k) times that time for k from 52 down to 0.
     return as_one_query(memory, [&]() -> std::optional<Pose> {
         constexpr int most = 53;
         for (int k = most; k >= 0; --k) {

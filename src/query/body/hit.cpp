@@ -1,4 +1,5 @@
-// Answers the questions of hit.hpp. A line that begins inside a solid hits it there, and then its surface.
+// Implements the functions of hit.hpp for posed bodies. A line that begins inside a solid hits the solid at the line's
+// beginning, and then the solid's surface.
 #include "ecods/hit.hpp"
 
 #include "base/double_key.hpp"

@@ -1,4 +1,4 @@
-// Lists the hits of many lines, for HitLists and BodyHitLists.
+// list_hits() lists the hits of many lines in a HitLists or a BodyHitLists.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Answers the questions of hit.hpp about normals and sides of hits, and about parts of lines inside solids.
+// Implements the functions of hit.hpp that return normals and sides of hits, and parts of lines inside solids.
 #include <utility>
 #include <vector>
 
@@ -46,8 +46,7 @@ struct Opposed {
     int sign = 0;
 };
 
-// Looks at the triangles that are hit with the rank of hit `i`, and returns the normal of one of them that is most
-// opposed to the line.
+// Returns, of the normals of the triangles that are hit with the rank of hit `i`, one that is most opposed to the line.
 std::optional<Vec3> most_opposed(const Line& line, std::span<const ExactHit> hits, std::size_t i,
                                  const Posed<MeshShape>& body) {
     const ScaledLongVector direction = direction_of(line);

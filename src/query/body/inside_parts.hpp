@@ -1,4 +1,4 @@
-// Finds the parts of a line inside a solid, with the exact parameters where they begin.
+// Finds the parts of a line inside a solid, with the exact parameters of their ends.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,8 @@ struct ExactPart {
     InsidePart part;
 };
 
-// Return what inside_parts() returns, with the parameters before they were rounded. The line must be valid.
+// Return the parts of the line inside the solid, as inside_parts() does, but with exact parameters. The line must be
+// valid.
 std::vector<ExactPart> exact_parts(const Segment& segment, const Posed<Solid>& solid, QueryMemory& memory);
 std::vector<ExactPart> exact_parts(const Ray& ray, const Posed<Solid>& solid, QueryMemory& memory);
 

@@ -1,4 +1,4 @@
-// Answers the questions of intersection.hpp. Questions about solids are first asked about their boundaries.
+// Implements intersection.hpp. A query about solids first tests their boundaries.
 #include "ecods/intersection.hpp"
 
 #include "query/body/contained.hpp"
@@ -12,9 +12,10 @@
 
 namespace ecods {
 
-// Asks about the boundaries first. This tries an axis, or the triangles that met before, which decide most pairs of
-// solids; only then more is computed about the solids. An axis that separates the boundaries separates the bodies. Two
-// convex solids have no search of their own here: measured, a search for the distance takes longer.
+// Returns true if the bodies share a point. The boundaries are tested first: an axis of the last query, or two
+// triangles that met, decides most pairs of solids, and nothing else about the solids is computed. An axis that
+// separates the boundaries separates the bodies. Convex solids are treated like others, because a search for the
+// distance takes longer (measured).
 bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask) {
     if (are_surfaces(*a.what, *b.what)) return surface::intersects(a, b, ask);
     Asking asking(ask);

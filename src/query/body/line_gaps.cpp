@@ -15,11 +15,12 @@
 namespace ecods {
 namespace {
 
-// Names the vertices of the mesh of LinePlaces. Its pose puts them on the line, or beside it.
+// PlaceOnLine names the vertices of the mesh of LinePlaces, whose pose maps the vertices to points on or beside the
+// line.
 enum PlaceOnLine : std::uint32_t { begin, after_begin, beside_begin, before_begin, end, after_end };
 
-// LinePlaces poses these vertices. The pose maps (s, 1 - s, 0) to the point of a segment, or (s, r, 0) to the point at
-// s + r of a ray; its third column is the shift. So the places are exact, whatever the numbers are.
+// LinePlaces poses the vertices named by PlaceOnLine. The pose maps (s, 1 - s, 0) to the point of a segment, or (s, r,
+// 0) to the point at s + r of a ray; the third column of R is the shift. So the posed points are exact for all doubles.
 class LinePlaces {
   public:
     LinePlaces(const Line& line, const Vec3& shift)

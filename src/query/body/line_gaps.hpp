@@ -1,5 +1,5 @@
-// LineGaps finds the parts of a line between the points that it shares with the surface of a body, and says on which
-// side of the surface each part is.
+// LineGaps finds the parts of a line between the points that the line shares with the surface of a body, and the side
+// of the surface on which each part is.
 //
 // A gap is an open interval of parameters, as long as possible, in which the line shares no point with the surface. So
 // it begins at the line's beginning, at a hit, or where the line leaves a face that it runs along.
@@ -32,7 +32,7 @@ class LineGaps {
         Side side;                       // outside or inside
     };
 
-    // The line must be valid. If the body has no inner points, all gaps are outside.
+    // Finds the gaps of the line. The line must be valid. If the body has no inner points, all gaps are outside.
     LineGaps(const Line& line, const PosedBody& body, QueryMemory& memory);
 
     std::span<const ExactHit> hits() const noexcept { return hits_; }
@@ -42,8 +42,8 @@ class LineGaps {
     bool begins_on_surface() const noexcept { return !hits_.empty() && hits_.front().enter.num.is_zero(); }
     bool ends_on_surface() const noexcept { return ends_on_surface_; }
 
-    // Return the side on which the line is just before, or just after, the parameter of a hit; `on` if it runs along
-    // the surface there. The line is taken to go on beyond its ends.
+    // Return the side on which the line is just before, or just after, the parameter of a hit; `on` if the line runs
+    // along the surface there. The line counts as continued beyond its ends.
     Side before(const LongFraction& parameter) const;
     Side after(const LongFraction& parameter) const;
 

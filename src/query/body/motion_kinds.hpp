@@ -1,5 +1,5 @@
-// MotionKinds knows for which kinds of motions a cast of two bodies exists (cast_any_motion.cpp); the functions say of
-// which kind a motion is.
+// MotionKinds checks that a cast exists for the kinds of two bodies' motions (cast_any_motion.cpp). The functions below
+// classify a motion.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace ecods {
 
 class MotionKinds {
   public:
-    // Adds the motion of a body that is at the pose `start` at time 0. A body at rest does not count.
+    // Adds the motion of a body that is at the pose `start` at time 0. A body at rest adds no kind of motion.
     void add(const Pose& start, const Motion& motion);
 
     // Throws NotSupported if there is no cast of some two of the bodies added.

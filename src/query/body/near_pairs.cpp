@@ -64,7 +64,7 @@ std::optional<PairList> NearWay::list(double from, double to, std::size_t most) 
     pose.t += middle * motion_;
     const Place place{pose.t, 9 * two_u * (sum_of(a_.pose.t) + middle * sum_of(motion_)) + underflow};
     if (!is_known(place)) return all_pairs(a_, b_);
-    // At times within `half` of the middle, the body is at most this far from its place at the middle.
+    // The body is at most `reach` from its place at the middle time, at all times within `half` of that time.
     const double reach = half * (1 + 8 * two_u) * sum_of(motion_);
     return list_within({*a_.what, pose}, b_, p_.upper() + (reach + place.error), most, memory_);
 }

@@ -1,13 +1,14 @@
-// Lists the pairs of triangles that may be near each other while a point or a body is translated.
+// NearLine and NearWay list the pairs of triangles that may be within a distance p of each other while a point or a
+// body is translated.
 //
 // Bound. Positions are computed in doubles, with few roundings: of a difference, a product and a sum. Let S be the sum
 // of the magnitudes of all terms of a position's coordinates, added over the axes. With u' = two_u, each term goes
 // through three roundings, and a parameter may be off by 4 u' of itself, so a position is off by less than 7.1 u' S. S
 // as computed has seven roundings, and 8 u' S covers them. A motion of a body may be rounded, too: its terms go through
-// one rounding more, and 9 u' S covers them. A distance is a sum of three such numbers, and a reach a product with six
-// roundings: 8 u' times each covers these. Numbers that underflow lose less than 2^-1000 in all; times that may be
-// flushed to zero count as 2^-900. If a number overflows, all pairs are listed.
-// Claim: verify/proofs/root_sums.py
+// one rounding more, and 9 u' S covers them. The distance that is searched is a sum of three rounded numbers, and the
+// reach of half a motion is a product with six roundings: 8 u' times each number covers its roundings. Numbers that
+// underflow lose less than 2^-1000 in all; times that may be flushed to zero count as 2^-900. If a number overflows,
+// all pairs are listed. Claim: verify/proofs/root_sums.py
 #pragma once
 
 #include <cstddef>
@@ -30,7 +31,7 @@ struct Place {
 // Returns the position at parameter s of the line. The error bound covers a parameter that is off by up to 4 u' s.
 Place place_on(const Line& line, double s);
 
-// NearLine lists the triangles of a boundary that may be near points of a line, as pairs with pair.a = 0.
+// NearLine lists the triangles of a boundary that may be within p of points of a line, as pairs with pair.a = 0.
 class NearLine {
   public:
     // Everything that the arguments refer to must outlive this object.
@@ -46,8 +47,8 @@ class NearLine {
     QueryMemory& memory_;
 };
 
-// NearWay lists pairs of triangles of a boundary that is translated, and of another boundary. Each coordinate of the
-// motion is the real one, rounded once, and may be infinite.
+// NearWay lists the pairs of triangles that may come within p of each other while boundary a is translated, b being at
+// rest. Each coordinate of `motion` is a real number, rounded once; it may be infinite.
 class NearWay {
   public:
     NearWay(const Posed<MeshShape>& a, const Vec3& motion, const Posed<MeshShape>& b, const exact::ExactSum& p,

@@ -28,8 +28,9 @@ class OutsideBall {
     // Returns true if the vertex is certainly in the ball.
     bool contains(const RoundedVertex& vertex) noexcept;
 
-    // Finds a ball around a vertex that is outside. Does nothing if the number of balls so far exceeds the number of
-    // vertices found in them by more than `spare_count`, because a ball takes longer than a ray.
+    // Sets the ball to one around the vertex, which must be outside the solid. Does nothing if the number of balls so
+    // far exceeds the number of vertices found in them by more than `spare_count`, because a ball takes longer than a
+    // ray.
     void find_around(const RoundedVertex& vertex);
 
   private:

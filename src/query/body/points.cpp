@@ -1,6 +1,6 @@
-// Answers the questions of distance.hpp and solid.hpp about points. If the feature that contains the closest point is a
-// face or an edge, and certainly the only one, it shows on which side of a solid's surface the point is: the segment to
-// the closest point meets the surface nowhere else. Otherwise a ray decides.
+// Implements the functions of distance.hpp and solid.hpp for points. If a face or an edge certainly contains the only
+// closest point, that feature determines the side of a solid's surface on which the point is: the segment to the
+// closest point meets the surface nowhere else. Otherwise a ray decides the side.
 #include <optional>
 #include <vector>
 
@@ -62,9 +62,9 @@ class SolidSides {
         return is_outer ? Side::outside : Side::inside;
     }
 
-    // Returns the side if the edge has two faces that are not in one plane. A point whose closest point is inside the
-    // edge is at a right angle or more to both faces: it is outside if the edge is convex, inside if it is not. An
-    // affine bijection keeps an edge convex, so the mesh's own coordinates decide.
+    // Returns the side of the point if the edge has two faces that are not in one plane; otherwise nullopt. A point
+    // whose closest point is inside the edge is at a right angle or more to both faces: it is outside if the edge is
+    // convex, inside if it is not. An affine bijection keeps an edge convex, so the mesh's own coordinates decide.
     std::optional<Side> of_edge(const Feature& edge) const {
         const SolidAccess::Parts& parts = SolidAccess::parts(*solid_);
         const auto triangles = parts.proper.mesh->triangles();

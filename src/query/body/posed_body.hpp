@@ -1,4 +1,4 @@
-// Defines the set of points that a posed mesh stands for, in the form that questions about two bodies need.
+// PosedBody is the set of points that a posed mesh represents, with the data that queries about two bodies read.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,9 @@ inline bool are_surfaces(const MeshShape& a, const MeshShape& b) noexcept {
     return a.form() == MeshForm::surface && b.form() == MeshForm::surface;
 }
 
-// A NamedBoundary holds the triangles that bound the set: all triangles of a surface, those of positive area of a
-// solid. `names` has, by triangle of `shape`, the triangle of the mesh; it is empty if both have the same triangles.
+// A NamedBoundary holds the triangles that bound the set: all triangles of a surface, or the triangles of positive area
+// of a solid. `names` has, by triangle of `shape`, the triangle of the mesh; it is empty if both have the same
+// triangles.
 struct NamedBoundary {
     const MeshShape& shape;
     std::span<const std::uint32_t> names;
@@ -66,7 +67,8 @@ struct BodyPairAsked {
 
     bool are_convex() const noexcept { return a.is_convex() && b.is_convex(); }
 
-    // Renames the triangles of an answer, which has members `a` and `b`.
+    // Replaces the triangles that `answer.a` and `answer.b` name in the boundaries by the same triangles of the bodies'
+    // meshes.
     template <class Answer>
     void rename(Answer& answer) const noexcept {
         a.rename(answer.a);

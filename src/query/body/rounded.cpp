@@ -1,4 +1,4 @@
-// Answers the questions of rounded.hpp by those about the cores, with the exact sum of the radii as a margin.
+// Implements rounded.hpp by the functions for the cores, with the exact sum of the radii as a margin.
 #include "ecods/rounded.hpp"
 
 #include <limits>
@@ -25,7 +25,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double double_max = std::numeric_limits<double>::max();
 
-// Returns the bounds of D - margin, or of 0 if that is more, from bounds of D.
+// Returns bounds of max(0, D - margin) from `bounds`, the bounds of D.
 DistanceBounds reduced(const DistanceBounds& bounds, const exact::ExactSum& margin) {
     const auto is_infinite = [](double x) { return key_of(x) == infinity_key; };
     DistanceBounds result = bounds;
@@ -36,8 +36,8 @@ DistanceBounds reduced(const DistanceBounds& bounds, const exact::ExactSum& marg
 
 using ConvexPair = std::pair<Posed<ConvexSolid>, Posed<ConvexSolid>>;
 
-// Returns the cores as convex solids, which may be flat, if both are convex. The search for the distance of convex
-// solids need not look at all triangles that tie.
+// Returns the cores as convex solids, which may be flat, if both cores are convex; otherwise nullopt. The search for
+// the distance of convex solids need not read all triangles at the least distance.
 std::optional<ConvexPair> convex_pair(const RoundedPair& pair) {
     const auto is_convex = [](const Posed<MeshShape>& core) {
         return convex::is_convex_core(*core.what) && exact::is_regular(core.pose.R);
@@ -66,7 +66,7 @@ double distance_beyond(const RoundedPair& pair, const exact::ExactSum& margin, c
     });
 }
 
-// Counts a query that was answered without a search.
+// Adds a query that was decided without a search to the counts.
 void count_decided(Asking& asking) {
     QueryCounts& counts = QueryMemoryAccess::state(asking.memory()).counts;
     ++counts.queries;
@@ -75,14 +75,15 @@ void count_decided(Asking& asking) {
 
 }  // namespace
 
-// Leaves the triangles of the features as a witness, as the search does.
+// Counts the query, and sets the witness to the triangles of the closest features, as the search does.
 void RoundedPair::count_found(const RoundedSegments& found, const Ask& ask) {
     Asking asking(ask);
     count_decided(asking);
     asking.witness() = {found.names().a.triangle, found.names().b.triangle};
 }
 
-// Counts the query if doubles decide it.
+// Returns the sign of the distance of the bodies minus max_distance if doubles decide it, and counts the query;
+// otherwise nullopt.
 std::optional<int> RoundedPair::filtered(double max_distance, const Ask& ask) const {
     const auto sign = SmallPair(*this).compare(max_distance);
     if (sign) {
@@ -129,9 +130,9 @@ ClosestPoints RoundedPair::closest(const Ask& ask) const {
     return cores::closest(a.core, b.core, radii(), ask);
 }
 
-// Convex cores have no bounds that cost less than the distance. Bounds of other cores' distance suffice if they are
-// narrow enough once the margin is taken off. Otherwise the distance is rounded to nearest, and one comparison says on
-// which side of the real one it is.
+// Returns bounds of the distance of the rounded bodies. For convex cores, bounds cost as much as the distance. For
+// other cores, bounds of the cores' distance minus the margin are returned if they are within the tolerance. Otherwise
+// the distance is rounded to nearest, and one comparison says on which side of the real one it is.
 DistanceBounds RoundedPair::distance_bounds(const DistanceTolerance& tolerance, const Ask& ask) const {
     surface::require_valid(tolerance);
     const exact::ExactSum margin = radii().sum();

@@ -1,5 +1,5 @@
-// Answers casts of rounded bodies, and casts to a distance. Let p be the sum of the radii and of the distance in
-// question. Bodies that are further apart at the start come to this distance when their cores first come to the
+// Implements casts of rounded bodies, and casts to a distance. Let p be the sum of the radii and of the distance in
+// question. Bodies that are further apart than this distance at the start first reach it when their cores reach the
 // distance p. Since p > 0, the cores are then apart, and closest to each other on their boundaries.
 #include <limits>
 
@@ -20,9 +20,9 @@
 namespace ecods {
 namespace {
 
-// Returns the first contact of the pairs found if its real time is at most `latest`: the least rounded time, then the
-// first features. A pair whose time rounds to `latest` may be late; then another pair with the same rounded time must
-// not be late.
+// Returns the first contact of the pairs `found` if its real time is at most `latest`: the least rounded time, then the
+// first features; otherwise nullopt. A pair's time may round to `latest` and be later; then another pair with the same
+// rounded time must be in time.
 std::optional<FirstContact> first_by(double latest, const std::vector<NearTimes>& found) {
     const NearTimes* best = nullptr;
     const auto key = [](const NearTimes& times) { return key_of(times.interval.first.rounded); };

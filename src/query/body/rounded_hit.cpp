@@ -1,6 +1,6 @@
-// Answers hits of rounded bodies. A line is within the radius of a triangle of the core in one interval of its
-// parameters. The body is met in the union of these intervals and, if the core is a solid, of the parts of the line
-// inside it that are further from its surface.
+// Computes hits of rounded bodies. A line is within the radius of a triangle of the core in one interval of its
+// parameters. The line is in the body in the union of these intervals and, if the core is a solid, of the parts of the
+// line inside the core that are further than the radius from the core's surface.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -118,10 +118,9 @@ class LineAsked {
     NearLine near() const { return {line_, core_.boundary(), radius_, memory_}; }
     RoundedWay way_of_line() const { return {begin_body_, step_, core_.boundary(), radius_}; }
 
-    // Returns a parameter beyond which the infinite line is outside the box of the body; infinity if it is not known.
+    // Returns a parameter beyond which the infinite line is outside the box of the body; infinity if none is known.
     // Along the axis on which the line is fastest, the box is passed after the greater distance of its ends. The
-    // differences of ends, sums and quotients have five roundings, which 8 u' covers.
-    // Claim: verify/proofs/root_sums.py
+    // differences of ends, sums and quotients have five roundings, which 8 u' covers. Claim: verify/proofs/root_sums.py
     double last_of_box() const {
         const Aabb box = rounded_.what->box(rounded_.pose);
         const Vec3 step = line_.is_ray ? line_.b : Vec3(line_.b - line_.a);
@@ -137,8 +136,8 @@ class LineAsked {
         return {end.time, end.rounded, feature};
     }
 
-    // Returns the interval that begins at the least real parameter. Of several, the first by the order of features
-    // gives the beginning, and the one that ends last gives the end.
+    // Returns the interval that begins at the least real parameter. If several intervals begin there, the first by the
+    // order of features supplies the beginning, and the one that ends last supplies the end.
     std::optional<Interval> first_of(const RoundedWay& way) const {
         const NearTimes* best = nullptr;
         for (const NearTimes& times : way.found()) {
@@ -168,7 +167,7 @@ class LineAsked {
         return order != 0 ? order > 0 : rank(x.last) < rank(y.last);
     }
 
-    // Returns the intervals in which the line is in the body, ascending, from its beginning on.
+    // Returns the intervals of parameters in which the line is in the body, ascending, from the line's beginning on.
     std::vector<Interval> intervals() {
         RoundedWay way = way_of_line();
         way.add(*near().list(0, last_, std::numeric_limits<std::size_t>::max()));
@@ -195,8 +194,8 @@ class LineAsked {
     }
 
     // Returns true if the part of the line between two intervals is inside the core. All points of this part are
-    // further from the core's surface than the radius. So one of them decides, and even a rounded point decides if its
-    // error is less than the radius: there is no surface between the two.
+    // further from the core's surface than the radius. So one point of the part decides, and even a rounded point
+    // decides if its error is less than the radius: there is no surface between the exact and the rounded point.
     bool is_inside_between(const End& from, const End& to) {
         if (!core_.has_inside()) return false;
         if (core_.is_convex()) return true;

@@ -1,5 +1,5 @@
 // Finds the closest points of two small convex cores. Doubles guess the closest features, and fixed precision finds the
-// closest points of these features. They are closest points of the cores if no vertex is beyond a feature
+// closest points of these features. The points found are closest points of the cores if no vertex is beyond a feature
 // (closest_hulls.hpp).
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ using convex::SmallHull;
 using convex::SmallHulls;
 using exact::Point;
 
-// Says how features are named: as those of the convex set, or as those of its triangles.
+// Meaning selects how features are named: as features of the convex set, or as features of its triangles.
 enum class Meaning : std::uint8_t { sets, triangles };
 
 Meaning meaning_of(const CoreAndRadius& a, const CoreAndRadius& b) {
@@ -33,14 +33,14 @@ Meaning meaning_of(const CoreAndRadius& a, const CoreAndRadius& b) {
     return is_set(a.core) && is_set(b.core) ? Meaning::sets : Meaning::triangles;
 }
 
-// Chooses corners and names of the features of one hull.
+// NamedFeature chooses the corners and the name of the closest feature of one hull.
 class NamedFeature {
   public:
     NamedFeature(const SmallHulls& hulls, std::size_t side, SmallFeatures& features, Meaning meaning)
         : hulls_(hulls), hull_(hulls[side]), side_(side), features_(features), meaning_(meaning) {}
 
     // Sets `name`, and the corners of a face to those of the triangle that contains the closest point. Returns false if
-    // the hull has no such feature, or if its triangles name it in another way.
+    // the hull has no such feature, or if the triangles name the feature in another way.
     bool find(Feature& name) {
         return hull_.hull() == nullptr ? find_of_triangle(name) : find_of_solid(*hull_.hull(), name);
     }
@@ -49,7 +49,7 @@ class NamedFeature {
     std::array<std::uint32_t, 3>& corners() const noexcept { return features_.corners[side_]; }
     std::size_t count() const noexcept { return features_.count[side_]; }
 
-    // Names the feature by the core's only triangle, which names an edge by the corner at which it begins.
+    // Sets `name` to the feature of the core's only triangle. An edge is named by the corner at which it begins.
     bool find_of_triangle(Feature& name) const noexcept {
         const auto [i, j, k] = corners();
         name = {static_cast<Feature::Kind>(count() - 1), 0, i};
@@ -85,8 +85,8 @@ class NamedFeature {
         return false;
     }
 
-    // Chooses the triangle of a face in which the foot of the other hull's vertex is furthest from the sides, in
-    // doubles. Returns false if it is in none of them.
+    // Sets `name` to the triangle of a face in which the foot of the other hull's vertex is furthest from the sides, in
+    // doubles. Returns false if the foot is in none of the triangles.
     bool choose(const ConvexSolid& solid, std::span<const std::uint32_t> triangles, Feature& name) {
         const auto& vertex_of = ConvexSolidAccess::points(solid).hull_index;
         const Point x = hulls_.rounded(1 - side_, features_.corners[1 - side_][0]);

@@ -1,7 +1,7 @@
 // Casts rounded bodies that move from pose to pose, or in any way, if each of them is translated. The motion of one
 // relative to the other is then a translation by an exact vector, whose coordinates need not be doubles. For all other
-// motions, times at which cores are at a distance are roots of polynomials of degree 6 and more, which nothing here
-// decides.
+// motions, times at which cores are at a distance are roots of polynomials of degree 6 and more, and NotSupported is
+// thrown.
 #include "query/body/rounded_moves.hpp"
 
 #include <utility>
@@ -29,7 +29,7 @@ bool is_same_matrix(const Mat3& a, const Mat3& b) {
     return same_point(a.col(0), b.col(0)) && same_point(a.col(1), b.col(1)) && same_point(a.col(2), b.col(2));
 }
 
-// Returns the vertex that all corners of the core's triangles are at; null if there are several.
+// Returns the position at which all corners of the core's triangles are; null if they are at several positions.
 const Vec3* only_vertex(const MeshShape& core) {
     const Mesh& mesh = core.mesh();
     const Vec3& first = mesh.vertices()[mesh.triangles()[0][0]];
@@ -41,7 +41,8 @@ const Vec3* only_vertex(const MeshShape& core) {
     return &first;
 }
 
-// Returns the first contact of two bodies, at least one of which has a radius, on these ways.
+// Returns the first contact of two bodies that are translated by a and b, at least one of which has a radius. Throws
+// NotSupported if a or b is nullopt: that body is not translated.
 std::optional<FirstContact> cast_on_ways(const RoundedPair& pair, const MaybeVector& a, const MaybeVector& b,
                                          Question question, double latest, const Ask& ask) {
     if (!a || !b) throw NotSupported(question, pair.a.kind, pair.b.kind);

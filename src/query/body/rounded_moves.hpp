@@ -1,4 +1,4 @@
-// Computes the exact vectors of those straight moves and turns of rounded bodies that are translations.
+// Computes the exact translation vectors of straight moves and turns that only translate a rounded body.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Answers the questions of rounded.hpp about points: a point is a body of one vertex, without a radius.
+// Implements the functions of rounded.hpp for points. A point counts as a body of one vertex, without a radius.
 #include "base/double_key.hpp"
 #include "ecods/rounded.hpp"
 #include "query/body/rounded_pair.hpp"

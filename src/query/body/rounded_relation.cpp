@@ -1,4 +1,4 @@
-// Finds the relation of two bodies with radii r and s around cores A and B; at least one radius is positive.
+// Computes the relation of two bodies with radii r and s around cores A and B; at least one radius is positive.
 //
 // Let D be the distance of the cores. At D = r + s > 0 the bodies touch: a common point x is on a segment from A to B
 // of length r + s, at distance r from A. If s > 0, points of the segment beyond x are further than r from A, so x is no
@@ -41,8 +41,8 @@ bool has_inside(const CoreAndRadius& body) {
     return is_positive(body.radius) || PosedBody(body.core).has_inside();
 }
 
-// Returns true unless the body has a radius and a core that is not convex. Whether such a body contains another one is
-// never decided.
+// Returns true unless the body has a radius and a core that is not convex. For such a body it is never decided whether
+// the body contains another one.
 bool may_contain(const CoreAndRadius& body) noexcept {
     return !is_positive(body.radius) || body.kind == ShapeKind::rounded_convex();
 }

@@ -1,5 +1,5 @@
-// Finds the closest points of two spheres or capsules, and of other rounded bodies with small convex cores, in fixed
-// precision, and answers questions about them there, where that decides each answer.
+// RoundedSegments holds the closest points of two spheres, capsules or other rounded bodies with small convex cores, in
+// fixed precision. Its functions return nullopt where this precision does not decide.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,13 @@ namespace ecods {
 
 class RoundedSegments : public exact::FixedClosest {
   public:
-    // Returns nullopt unless both cores are meshes of one point or segment, which certainly share no point, and at
-    // least one has a radius; or if fixed precision does not decide which features are closest.
+    // Returns the closest points of two spheres or capsules. Returns nullopt unless both cores are meshes of one point
+    // or segment, which certainly share no point, and at least one has a radius; or if fixed precision does not decide
+    // which features are closest.
     static std::optional<RoundedSegments> find(const CoreAndRadius& a, const CoreAndRadius& b) noexcept;
 
-    // Does the same for other cores, whose hulls must be small. Returns nullopt unless exactly one pair of points is
-    // closest, inside features that are known.
+    // Returns the closest points of bodies with other convex cores, whose hulls must be small. Returns nullopt unless
+    // exactly one pair of points is closest, inside features that are known.
     static std::optional<RoundedSegments> find_of_hulls(const CoreAndRadius& a, const CoreAndRadius& b,
                                                         convex::SmallHulls& hulls);
 

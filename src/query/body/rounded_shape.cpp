@@ -19,7 +19,7 @@ namespace {
 
 // Returns a double that is at most x - radius. The difference as computed is off by less than one unit in its last
 // place, in any rounding mode, also if a processor takes a subnormal number for zero, because the result is then the
-// other number. A difference that may be subnormal is computed exactly.
+// other operand. A difference that may be subnormal is computed exactly.
 double reach_down(double x, double radius) {
     const double difference = x - radius;
     if (std::abs(difference) >= 0x1p-900) return next_down(difference);

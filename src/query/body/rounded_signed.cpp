@@ -16,7 +16,7 @@
 namespace ecods {
 namespace {
 
-// Returns the answer if fixed precision decides it.
+// Returns the signed distance if fixed precision decides it; otherwise nullopt.
 std::optional<SignedDistance> find_fixed(const RoundedPair& pair, const Ask& ask) {
     const auto segments = SmallPair(pair).find_closest();
     if (!segments) return std::nullopt;
@@ -29,8 +29,8 @@ std::optional<SignedDistance> find_fixed(const RoundedPair& pair, const Ask& ask
 
 }  // namespace
 
-// Convex cores that share a point are asked about as convex solids. Cores that are apart, and of which one is no solid,
-// name their features as triangles do.
+// Returns the signed distance. Convex cores that share a point are treated as convex solids. If the cores are apart,
+// and one of them is no solid, features are those of triangles.
 SignedDistance RoundedPair::signed_distance(const Ask& ask) const {
     if (const auto found = find_fixed(*this, ask)) return *found;
     Asking asking(ask);
@@ -58,7 +58,7 @@ SignedDistance RoundedPair::signed_distance(const Ask& ask) const {
         if (!have_depth) {
             throw NotSupported("the cores share a point, and one of them is not convex: their depth is not known");
         }
-        // A pose is singular, which this call reports.
+        // Throws SingularPose, because a pose is singular here.
         return depths::signed_distance(convex::convex_core(a.core), convex::convex_core(b.core), radii(), part);
     });
 }

@@ -1,4 +1,5 @@
-// RoundedWay finds when triangles of a translated boundary are within a distance p of those of another boundary.
+// RoundedWay computes the times at which triangles of a translated boundary are within a distance p of triangles of
+// another boundary.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +31,11 @@ class RoundedWay {
                const exact::ExactSum& p)
         : a_(a), motion_(motion), b_(b), p_(p) {}
 
-    // Returns the times of a pair; nullopt if there are none. Cost: some exact operations for each pair of features of
-    // the two triangles.
+    // Returns the interval of times at which the pair is within p; nullopt if there are none. Cost: some exact
+    // operations for each pair of features of the two triangles.
     std::optional<NearTimes> times(const TrianglePair& pair) const;
 
-    // Adds the pairs that have times and were not added before.
+    // Adds the times of the pairs that come within p and were not added before.
     void add(const PairList& pairs);
     const std::vector<NearTimes>& found() const noexcept { return found_; }
 

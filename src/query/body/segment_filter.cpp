@@ -1,16 +1,17 @@
-// Derivation. Let u' = two_u; p0, p1 are the ends of the first segment, q0, q1 those of the second, rounded; each
-// coordinate is off by at most delta. M bounds the magnitudes of all coordinates.
+// This file bounds the distance of two segments from above and below, in doubles. Let u' = two_u, and let p0, p1 and
+// q0, q1 be the rounded ends of the first and the second segment. Each coordinate of an end is off by at most delta. M
+// bounds the magnitudes of all coordinates.
 //
 // Upper bound. For any s and t in [0, 1], the distance of the points p0 + s (p1 - p0) and q0 + t (q1 - q0) is an upper
-// bound. A coordinate of one of these points is computed with a difference below 2 M, a product and a sum, so it is off
-// by at most u' (2 M + 2 M + 3 M) (1 + u')^2 < 8 u' M; the difference z of the two has one more rounding, of at most
-// 2.1 M, and both true ends are off by delta: E = 2 delta + 20 u' M bounds the error of a coordinate of z, and sqrt(3)
-// E that of |z|. |z| is computed with a relative error of less than 4 u'.
+// bound of the distance of the segments. A coordinate of one of these points is computed with a difference below 2 M, a
+// product and a sum, so it is off by at most u' (2 M + 2 M + 3 M) (1 + u')^2 < 8 u' M; the difference z of the two has
+// one more rounding, of at most 2.1 M, and both true ends are off by delta: E = 2 delta + 20 u' M bounds the error of a
+// coordinate of z, and sqrt(3) E that of |z|. |z| is computed with a relative error of less than 4 u'.
 //
 // Lower bound. For any vector n, here z, the distance is at least (min n.q - max n.p) / |n| (weak duality). A product
-// n.q as computed is off by at most ((1 + u')^3 - 1) M |n|_1 and delta |n|_1, the difference of two products by 2.1 u'
-// M |n|_1 more: E |n|_1 covers both products and the difference. Factors of 1 +- 8 u' cover the roundings of |n|_1, |n|
-// and the quotients.
+// n.q as computed is off by at most ((1 + u')^3 - 1) M |n|_1 and delta |n|_1, and the difference of two products by 2.1
+// u' M |n|_1 more: E |n|_1 covers both products and the difference. Factors of 1 +- 8 u' cover the roundings of |n|_1,
+// |n| and the quotients.
 //
 // The sum of three numbers is off by less than 3 u' of itself. Underflow: if M and the sum are at most 2^400, and the
 // compared numbers are at least 2^-400, underflow loses numbers below 2^-900, which are added to others of at least

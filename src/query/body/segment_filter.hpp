@@ -1,5 +1,5 @@
-// Compares the distance of two points or segments with a number, in doubles with proven bounds. This decides most pairs
-// of spheres and capsules without their trees.
+// Compares the distance of two points or segments with a number, in doubles with proven bounds. This comparison decides
+// most pairs of spheres and capsules without their trees.
 #pragma once
 
 #include <optional>

@@ -48,7 +48,8 @@ struct BodyFrame {
 
 BodyAxis put_on_axis(const BodyFrame& body, const Vec3& n);
 
-// Sets `reaches` to the interval of each box or triangle of x along the axis. Does not enlarge them by axis.error.
+// Sets `reaches` to the intervals of the boxes or triangles of x along the axis. The intervals are not enlarged by
+// axis.error.
 template <class X>
 void find_reaches(const BodyAxis& axis, const X& x, Reaches<double>& reaches) noexcept;
 

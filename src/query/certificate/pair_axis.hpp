@@ -43,8 +43,8 @@ struct PairAxis {
 // Returns the axis n. Along it, boxes are proven apart if their gap exceeds `distance`.
 PairAxis pair_axis(const BodyFrame& a, const BodyFrame& b, const Vec3& n, double distance);
 
-// Holds the ends of a node's slab on an axis that is nearly parallel to the slab's normal: p . y = slope (normal . y) +
-// rest . y.
+// Bounds p . y on a node's slab, for an axis p that is nearly parallel to the slab's normal: p . y = slope (normal . y)
+// + rest . y, whose first term is in [low, high].
 struct SlabEnds {
     std::array<float, 3> rest{};
     // [low, high] is the interval of slope (normal . y) in the slab.

@@ -17,7 +17,7 @@ using namespace convex;
 using exact::FixedClosest;
 using exact::PosedFeature;
 
-// Set the witness to a triangle of each solid at its closest feature, or at a vertex near it.
+// Set the witness to a triangle of each solid that has a vertex of the closest feature, or a vertex near this feature.
 void leave(const PosedHulls& hulls, const Simplex& guess, PairWitness& witness) noexcept {
     witness = {hulls.hull(0).vertex_names[guess.pairs[0][0]].triangle,
                hulls.hull(1).vertex_names[guess.pairs[0][1]].triangle};
@@ -37,7 +37,7 @@ FixedClosest::Names names_of(const PosedHulls& hulls, const HullFeaturePair& par
     return {{}, name_of(hulls.hull(0), parts[0]), name_of(hulls.hull(1), parts[1])};
 }
 
-// Runs GJK, and proves what it found.
+// Runs GJK from `start`, and tries to prove the closest features, or the common point, that GJK found.
 QuickClosest run(PosedHulls& hulls, const Simplex& start) {
     QuickClosest result{run_gjk(hulls, start), std::nullopt, false};
     result.do_meet = prove_meeting(hulls, result.guess);
@@ -83,7 +83,7 @@ std::optional<FixedClosest> convex::find_fixed(const PosedHulls& hulls, const Hu
     return std::nullopt;
 }
 
-// Tries the witness's triangles first. The features that they suggest are proven like any others.
+// Tries first the closest features of the witness's two triangles. They are proven like any other features.
 QuickClosest convex::find_quickly(PosedHulls& hulls, const PairWitness* witness) {
     if (witness == nullptr || !is_known(*witness)) return run(hulls, between_centers(hulls));
     const Simplex guess =

@@ -1,4 +1,4 @@
-// Finds and proves where two convex solids are closest to each other.
+// Finds the closest features of two convex solids, and proves them.
 //
 // Points x of the first solid and y of the second are closest if and only if no point of the first solid is beyond x
 // along n = y - x, and no point of the second solid is before y. In a convex set, no vertex is beyond a vertex that has
@@ -82,8 +82,9 @@ struct ClosestHulls {
     HullFeature part(const PosedHulls& hulls, std::size_t side) const noexcept;
 };
 
-// Proves the guess by signs of rounded points. Where these do not decide which vertices are level with the features,
-// exact signs do. Returns nullopt if the guess is wrong, or if a closest point may be on the border of a feature.
+// Proves the guess by signs of rounded points. If rounded points do not decide which vertices are level with the
+// features, exact signs do. Returns nullopt if the guess is wrong, or if a closest point may be on the border of a
+// feature.
 std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& guess);
 // Returns true if rounded points prove that the origin is inside the simplex. The solids then share a point.
 bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept;
@@ -98,22 +99,23 @@ HullFeatures guess_of_triangles(PosedHulls& hulls, const std::array<std::array<s
 // Returns true if the features contain closest points of their two triangles, which must share no point. Exact.
 bool are_closest_of_triangles(PosedHulls& hulls, const HullFeatures& found);
 
-// Returns the exact signs of n . (neighbor - vertex `at`), for up to signs_at_once neighbors. For the first solid, n is
-// the direction from the feature of the first solid to the feature of the second; for the second solid, the opposite
-// direction.
+// Returns the exact signs of n . (neighbor - vertex `at`), for up to signs_at_once neighbors of the vertex. For the
+// first solid, n is the direction from the feature of the first solid to the feature of the second; for the second
+// solid, the opposite direction.
 std::array<int, signs_at_once> signs_beyond(PosedHulls& hulls, const HullFeatures& found, std::size_t side,
                                             std::uint32_t at, std::span<const Hull::Neighbor> neighbors);
 
 // A HullFeaturePair is a feature of each of two solids.
 using HullFeaturePair = std::array<HullFeature, 2>;
 
-// Returns the closest points in fixed precision, named as ClosestPoints says; nullopt unless they are the only ones,
-// and fixed precision shows where they are.
+// Returns the closest points in fixed precision, named as ClosestPoints says; nullopt unless there is only one pair of
+// closest points, and fixed precision decides on which features they are.
 std::optional<exact::FixedClosest> find_fixed(const PosedHulls& hulls, const ClosestHulls& closest,
                                               const exact::Radii& radii);
 
-// Does the same for named features, which have one pair of closest points, in the interiors of both. The features are
-// as FixedClosest::of_features() takes them.
+// Returns the closest points of the features `parts` in fixed precision; nullopt if this precision does not decide. The
+// features must have one pair of closest points, in the interiors of both, and be such as FixedClosest::of_features()
+// takes.
 std::optional<exact::FixedClosest> find_fixed(const PosedHulls& hulls, const HullFeaturePair& parts,
                                               const exact::Radii& radii);
 
@@ -142,18 +144,18 @@ LeastDifference least_of_deepest(PosedHulls& hulls, const HullFeaturePair& extre
 // Returns the square of the least difference.
 exact::SquaredDistance square_of(PosedHulls& hulls, const LeastDifference& least);
 
-// Returns a vector along the normal.
+// Returns an exact vector along least.normal.
 exact::LongDirection exact_normal(PosedHulls& hulls, const LeastDifference& least);
 
-// Chooses features by the same rule as name_closest(): those with the two points that the shortest translation of two
-// solids that share a point brings together. Computes the points; `distance` is the depth. If radii are given, points
-// and depth are those of the rounded solids.
+// Returns the two deepest points of solids that share a point: the points that the shortest separating translation
+// brings together. Chooses their features by the rule of name_closest(). The result's `distance` is the depth. If radii
+// are given, points and depth are those of the rounded solids.
 ClosestPoints name_deepest(PosedHulls& hulls, const LeastDifference& least, const exact::Radii& radii = {});
 
-// Sets `pairs` to the corners of the region that all points of the least difference form, seen along the normal. A
-// corner is a pair of features with exactly one pair of points at the least difference, in the interior of both. The
-// order is not promised. `distance` is the least difference's size, rounded once. `way` is the vector from the first to
-// the second of two such points, in units of fixed points, if it is known exactly.
+// Sets `pairs` to the corners of a region: all points at the least difference, projected along the normal. A corner is
+// a pair of features with exactly one pair of points at the least difference, in the interior of both. The order is not
+// promised. `distance` is the least difference's size, rounded once. `way` is the vector from the first to the second
+// point of a pair at the least difference, in units of fixed points, if the vector is known exactly.
 using LeastPairs = ShortList<HullFeaturePair, 24>;
 void list_least(PosedHulls& hulls, const LeastDifference& least, double distance,
                 const std::optional<exact::IntegerVector>& way, LeastPairs& pairs);
@@ -166,29 +168,31 @@ constexpr bool is_known(const PairWitness& witness) noexcept {
     return witness.a != PairWitness::none && witness.b != PairWitness::none;
 }
 
-// A QuickClosest has what is found of two solids before integers are needed: a guess; the closest features, if they are
-// proven; and if it is proven that the solids share a point.
+// A QuickClosest has what doubles show of two solids: a guess of the closest features; the closest features, if they
+// are proven; and whether it is proven that the solids share a point.
 struct QuickClosest {
     Simplex guess;
     std::optional<ClosestHulls> closest;
     bool do_meet = false;
 
-    // Returns true if neither is proven, and the guess is so near that the solids may share a point. A heuristic.
+    // Returns true if neither closest features nor a common point are proven, and the guess is so near that the solids
+    // may share a point. This test is a heuristic.
     bool may_touch(const PosedHulls& hulls) const noexcept;
 };
 // `witness` is as in solid.hpp, or null.
 QuickClosest find_quickly(PosedHulls& hulls, const PairWitness* witness);
 
-// Finds where two solids are closest, by the cheapest of the functions above that succeeds. Returns nullopt if they
-// share a point. `witness` is as in solid.hpp, or null.
+// Returns the closest features of two solids, by the cheapest of the functions above that succeeds; nullopt if the
+// solids share a point. `witness` is as in solid.hpp, or null.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, PairWitness* witness);
-// Finds the same, but goes on where find_quickly() ended.
+// Returns the closest features, continuing from the result `found` of find_quickly().
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const QuickClosest& found, PairWitness* witness);
-// Finds the same, but begins the search at the simplex `start`.
+// Returns the closest features, beginning the search at the simplex `start`.
 std::optional<ClosestHulls> find_closest(PosedHulls& hulls, const Simplex& start, PairWitness* witness = nullptr);
 
-// Measure the features exactly. Return their squared distance; their distance, rounded once; the unit vector from the
-// first to the second, rounded once (the features must share no point); and the sign of (distance - d).
+// Measure the features `found` exactly. The functions return their squared distance; their distance, rounded once; the
+// unit vector from the first to the second, rounded once (the features must share no point); and the sign of (distance
+// - d).
 exact::SquaredDistance square_of(PosedHulls& hulls, const HullFeatures& found);
 double round_distance(PosedHulls& hulls, const HullFeatures& found);
 Vec3 round_direction(PosedHulls& hulls, const HullFeatures& found);

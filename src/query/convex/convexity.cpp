@@ -41,9 +41,9 @@ class Check {
     Check(const Border& border, const Shells& shells, const Mesh& given)
         : border_(border), shells_(shells), given_(given), triangles_(border.proper->mesh->triangles()) {}
 
-    // Finds the flat edges; throws if an edge is a dent. An edge of four or more triangles always has a dent, where one
-    // triangle is beyond another's plane. Otherwise the gaps on both sides of a wedge of the solid would be at least
-    // half a turn each, and leave no angle for the wedge.
+    // Returns, by edge, whether the edge is flat; throws if an edge is a dent. An edge of four or more triangles always
+    // has a dent, where one triangle is beyond another's plane. Otherwise the gaps on both sides of a wedge of the
+    // solid would be at least half a turn each, and leave no angle for the wedge.
     std::vector<std::uint8_t> find_flat() const {
         std::vector<std::uint8_t> is_flat(border_.edges->count());
         for (std::size_t e = 0; e < is_flat.size(); ++e) {
@@ -64,8 +64,8 @@ class Check {
         return is_flat;
     }
 
-    // Throws if there is a second shell. If both of two shells are convex, and neither is a cavity, one of them has a
-    // vertex outside the other.
+    // Throws NotSolid if there is a second shell. If both of two shells are convex, and neither is a cavity, one of
+    // them has a vertex outside the other.
     void require_one_shell() const {
         if (shells_.first.size() == 1) return;
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -82,7 +82,7 @@ class Check {
     }
 
   private:
-    // Returns a side of the triangle of the named mesh that contains triangle i as a piece.
+    // Returns side 0 of the triangle of the named mesh that contains triangle i as a piece.
     SideRef named_side(std::uint32_t i) const noexcept { return {border_.origin({i, 0}).triangle, 0}; }
 
     // Returns a corner of a triangle of the named mesh: of the triangle that contains `of` as a piece, a corner beyond

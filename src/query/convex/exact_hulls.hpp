@@ -10,7 +10,7 @@
 
 namespace ecods::convex {
 
-// Calls use(points, features, limbs) with the points of N >= 6 vertices, in the narrowest kernel that holds them.
+// Calls use(points, features, limbs) with the exact points of N >= 6 vertices, in the narrowest kernel that holds them.
 // `features` has the exact features of two triangles: the first three points, and the next three. `limbs` has all N
 // points.
 template <std::size_t N, class Use>

@@ -43,7 +43,8 @@ void measure(PosedHulls& hulls, const std::array<std::array<std::uint32_t, 3>, 2
     });
 }
 
-// Measures all pairs of triangles of the sets. Sets `least` to the result with the least distance; `other` is scratch.
+// Measures the distances of all pairs of triangles of the two vertex sets. Sets `least` to the result with the least
+// distance; `other` is scratch.
 void measure_all(PosedHulls& hulls, const VertexSets& sets, Measured& least, Measured& other) {
     bool is_first = true;
     for (std::size_t i = 0; i < sets.triangle_count(0); ++i) {
@@ -87,8 +88,7 @@ std::array<int, signs_at_once> find_signs(PosedHulls& hulls, const HullFeatures&
         });
 }
 
-// Computes the distance from numbers of fixed precision, and rounds it once. Returns nullopt if the rounding is not
-// certain.
+// Returns the distance of the features in fixed precision, rounded once; nullopt if the rounding is not certain.
 std::optional<double> round_from_digits(PosedHulls& hulls, const HullFeatures& found) {
     const auto points = hulls.integers({found.of_side(0), found.of_side(1)});
     exact::IntegerPair pair{{}, points.unit, points.are_exact ? 0 : exact::IntegerFrame::error_units};

@@ -55,7 +55,8 @@ class FlatBuilder {
         std::ranges::sort(hull_.edges, {}, &name_of_edge);
     }
 
-    // Walks around the polygon in the sense of its triangle `face`, beginning at the least vertex.
+    // Adds the polygon's only face: walks around the polygon in the sense of its triangle `face`, from the least
+    // vertex.
     void add_face() {
         const auto by_name = [](const SideRef& side) { return std::tuple(side.triangle, side.corner); };
         for (std::size_t k = 0; k < flat_.cycle.size(); ++k) {

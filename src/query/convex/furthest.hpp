@@ -50,7 +50,7 @@ struct Best {
         most = select(is_more, h, most);
         of = (is_more & at) | (~is_more & of);
     }
-    // Returns the index of the greatest number of all lanes. Call it last: it overwrites the lanes.
+    // Returns the index of the greatest number of all lanes. Call this function last, because it overwrites the lanes.
     ECODS_ALWAYS_INLINE std::uint32_t of_greatest() noexcept {
         take(shuffle<2, 3, 0, 1>(most), shuffle<2, 3, 0, 1>(of));
         take(shuffle<1, 0, 3, 2>(most), shuffle<1, 0, 3, 2>(of));

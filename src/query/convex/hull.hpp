@@ -13,7 +13,7 @@
 
 namespace ecods::convex {
 
-// Vertices, edges and faces are each sorted by their names, so a lesser index means a lesser name.
+// A Hull holds the vertices, edges and faces, each sorted by their names, so a lesser index means a lesser name.
 struct Hull {
     static constexpr std::uint32_t no_face = ~std::uint32_t{0};
 

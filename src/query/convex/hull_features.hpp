@@ -50,7 +50,7 @@ struct Furthest {
     LevelEdges level;
 };
 
-// A climb computes the signs of this many neighbors at once.
+// signs_at_once is the number of neighbors whose signs a climb computes at once.
 inline constexpr std::size_t signs_at_once = 6;
 
 // Moves `at` to a neighbor that is further along a direction, and returns true. If there is no such neighbor, returns

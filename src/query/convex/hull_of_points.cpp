@@ -104,8 +104,8 @@ class QuickHull {
         return {{a, b, c, d}};
     }
 
-    // Begins with the facets of the simplex `s`. Its triangle 0, 1, 2 must be turned outwards: corner 3 is not beyond
-    // it.
+    // Sets the hull to the four facets of the simplex `s`. Its triangle 0, 1, 2 must face outwards: corner 3 is not
+    // beyond this triangle.
     void begin(const std::array<std::uint32_t, 4>& s) {
         facets_.push_back({{s[0], s[1], s[2]}, {1, 2, 3}});
         facets_.push_back({{s[1], s[0], s[3]}, {0, 3, 2}});
@@ -146,8 +146,9 @@ class QuickHull {
     }
 
     // Adds a point that is beyond the facet `beyond`. Each point in the lists of removed facets is then beyond a new
-    // facet, or inside the hull. Proof: the segment from a point inside a removed facet to such a point is beyond the
-    // removed facet all the way, so it leaves the new hull through a new facet.
+    // facet, or inside the hull. Proof: let q be a point in the list of a removed facet, and outside the new hull. The
+    // segment from an inner point of the facet to q is beyond the facet, so the segment leaves the new hull through a
+    // new facet.
     void add(std::uint32_t point, std::uint32_t beyond) {
         find_visible(point, beyond);
         const std::size_t first_new = facets_.size();

@@ -63,13 +63,13 @@ class Naming {
     using Answer = PlanarFeatures::Answer;
 
   public:
-    // `parts` are the features that contain all pairs of points at the least distance, and `least` is its square.
-    // `normal` is the rounded direction of `turned` times the vector between two such points.
+    // Takes features that contain all closest points, and the square `least` of their distance. `normal` is the rounded
+    // direction from the first body's closest point to the second's if `turned` is 1, the opposite if -1.
     Naming(PosedHulls& hulls, const Parts& parts, const exact::SquaredDistance& least, const Vec3& normal, int turned)
         : Naming(hulls, parts, normal, turned * in_units_of(hulls, exact::round_root(least))) {
         least_ = least;
     }
-    // Computes the square when it is needed. `way` is the vector between two such points, if it is known (list_least).
+    // Computes the square on demand. `way` is the vector between two points of a closest pair, if known (list_least).
     Naming(PosedHulls& hulls, const LeastDifference& least, double distance,
            const std::optional<exact::IntegerVector>& way)
         : Naming(hulls, least.parts, least.normal, (least.is_depth ? -1 : 1) * in_units_of(hulls, distance)) {
@@ -191,7 +191,7 @@ class Naming {
                is_placed_on(1, planar_.next(1, j), i);
     }
 
-    // Returns true if `parts`, none of them a face, have exactly the least distance, in the interiors of both.
+    // Returns true if the interiors of `parts`, none of them a face, have points at exactly the least distance.
     bool holds(const Parts& parts) {
         if (way_) return are_on_way(hulls_, parts, *way_, planar_.dropped_axis());
         if (!least_) least_ = square_of(hulls_, *of_);
@@ -206,7 +206,7 @@ class Naming {
                                    });
     }
 
-    // Sets the vector between all pairs of points at the least distance to that of two vertices, while all are listed.
+    // Sets way_ to the vector from vertex i to vertex j, which all closest pairs share, if all pairs are listed.
     void find_way(std::size_t i, std::size_t j) {
         if (pairs_ == nullptr || way_ || !hulls_.has_fixed_points()) return;
         way_ = exact::difference(hulls_.fixed({1, planar_.vertex(1, j).index}),
@@ -254,7 +254,7 @@ class Naming {
     std::array<ShortList<Place, 32>, 2> places_{};  // by vertex of each polygon
 };
 
-// Measures the named features: set(result, square, origin, ends, features, f) must set the distance and both points.
+// Returns the closest points of `parts`, with their names. set() must set the result's distance and both points.
 template <class SetEnds>
 ClosestPoints measure_named(PosedHulls& hulls, const Parts& parts, const SetEnds& set) {
     const HullFeatures found = features_of(hulls, parts);
@@ -319,7 +319,7 @@ LeastDifference least_of_deepest(PosedHulls& hulls, const HullFeaturePair& extre
     return {extreme, features_of(hulls, extreme), normal, true, is_zero};
 }
 
-// Zero is not measured, because flat solids may touch in parallel edges, which have no distance of their own.
+// Returns the least difference squared. If is_zero, the features may be parallel edges, which measure() does not take.
 exact::SquaredDistance square_of(PosedHulls& hulls, const LeastDifference& least) {
     return least.is_zero ? exact::SquaredDistance() : square_of(hulls, least.found);
 }

@@ -15,8 +15,8 @@ bool is_inside(const IntegerVector& z, const IntegerVector& u) noexcept {
            exact::sign(exact::square_of(u) - along) > 0;
 }
 
-// Returns true if the edges s u and d + r v, 0 < s < 1 and 0 < r < 1, cross in one point. They are in a plane, in which
-// s = (d x v) / (u x v) and r = (d x u) / (u x v).
+// Returns true if the edges s u and d + r v, 0 < s < 1 and 0 < r < 1, cross in one point. The edges are in one plane.
+// With the coordinate `axis` left out, s = (d x v) / (u x v) and r = (d x u) / (u x v).
 bool do_cross(const IntegerVector& u, const IntegerVector& v, const IntegerVector& d, std::size_t axis) noexcept {
     const Int256 n = exact::cross(u, v)[axis];
     const int turn = exact::sign(n);

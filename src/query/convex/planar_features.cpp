@@ -37,8 +37,8 @@ void PlanarFeatures::add(const PosedHulls& hulls, std::size_t side, std::uint32_
     of.at.push_back({vertex, edge});
 }
 
-// Sets the signs of the vertices of the other polygon. The first loop has nothing but doubles, so that compilers use
-// vectors.
+// Sets `signs` of polygon `side`: the sides of its edges on which the vertices of the other polygon are. The first loop
+// computes only in doubles, so that compilers vectorize it.
 void PlanarFeatures::set_signs(std::size_t side) {
     constexpr std::size_t at_once = 16;
     const Projected& own = of_[side];

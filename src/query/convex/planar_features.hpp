@@ -4,7 +4,8 @@
 // All pairs of closest or deepest points differ by one vector w, from the first solid to the second. Both features are
 // perpendicular to w, or to the normal of the depth if w is zero. So if the second feature is moved by -w, both are in
 // one plane, and a pair of points becomes one point. The polygons are convex there. They stay convex if one coordinate
-// is left out: the one in which the normal is largest. Then a few signs in the plane decide about features.
+// is left out: the one in which the normal is largest. Then a few signs in the plane decide which pairs of features
+// have a point in common.
 //
 // Bounds. A rounded point is off by delta, and w by at most 2^-50 |w| for each coordinate, as it is a product of a
 // length and a direction that are rounded once or twice. Moving rounds by at most delta + 2^-52 |w|, since 2^-52 of
@@ -72,14 +73,16 @@ class PlanarFeatures {
     std::size_t dropped_axis() const noexcept { return 3 - axes_[0] - axes_[1]; }
 
     enum class Answer : std::uint8_t { no, yes, open };
-    // Says whether vertex i of polygon `side` is inside the other polygon, which must be a face. Uses that a point
-    // outside a convex polygon is on the inner side of some edge and on the outer side of another.
+    // Returns `yes` if vertex i of polygon `side` is inside the other polygon, which must be a face; `no` if not;
+    // `open` if doubles do not decide. Uses that a point outside a convex polygon is on the inner side of some edge and
+    // on the outer side of another.
     Answer is_inside(std::size_t side, std::size_t i) const noexcept {
         const std::uint8_t sides = of_[side].sides[i];
         return (sides & on_both) == on_both ? Answer::no : (sides & on_line) != 0 ? Answer::open : Answer::yes;
     }
-    // Says whether edge i of the first polygon and edge j of the second cross in their interiors. Uses that two
-    // segments cross if each has its ends on both sides of the other one's line.
+    // Returns `yes` if edge i of the first polygon and edge j of the second cross in their interiors; `no` if not;
+    // `open` if doubles do not decide. Uses that two segments cross if each has its ends on both sides of the other
+    // one's line.
     Answer do_cross(std::size_t i, std::size_t j) const noexcept {
         const int a = sign(0, i, j) * sign(0, i, next(1, j)), b = sign(1, j, i) * sign(1, j, next(0, i));
         if (a > 0 || b > 0) return Answer::no;
@@ -107,14 +110,15 @@ class PlanarFeatures {
     int sign(std::size_t side, std::size_t i, std::size_t j) const noexcept {
         return of_[side].signs[i * vertex_count(1 - side) + j];
     }
-    // Returns false if a vertex is certainly not on an edge of the other polygon.
+    // Returns false if vertex i of polygon `side` is certainly on no edge of the other polygon.
     bool may_be_on_border(std::size_t side, std::size_t i) const noexcept {
         return edge_count(1 - side) == 0 || (of_[side].sides[i] & on_line) != 0;
     }
     bool may_meet(std::size_t i, std::size_t j) const noexcept;
     bool may_be_on(std::size_t side, std::size_t i, std::size_t j) const noexcept;
     bool may_cross(std::size_t i, std::size_t j) const noexcept;
-    // Returns true if the boxes around two segments are certainly apart, each between two vertices of its polygon.
+    // Returns true if two boxes are certainly apart: the box around vertices a and b of polygon `side`, and the box
+    // around vertices c and d of the other polygon.
     bool are_apart(std::size_t side, std::size_t a, std::size_t b, std::size_t c, std::size_t d) const noexcept;
 
     std::array<Projected, 2> of_;

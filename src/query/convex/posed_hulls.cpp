@@ -65,8 +65,8 @@ PosedHulls::PosedHulls(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
 }
 
 // Leaves points in their own unit, and returns true, if sizes are ordinary; otherwise returns false. The mesh's points
-// were divided by a power of two, so the entries of R are multiplied by this power. A solid that is the origin alone
-// has no size.
+// were divided by a power of two, so the entries of R are multiplied by this power. A solid that is only the origin has
+// size 0.
 bool PosedHulls::scale_plainly() noexcept {
     double largest = 0;
     for (Body& body : bodies_) {

@@ -79,7 +79,8 @@ class PosedHulls {
     // Hulls of up to this many vertices are scanned. In larger hulls a search climbs over edges.
     static constexpr std::size_t scanned_max = 96;
     bool is_scanned(std::size_t side) const noexcept { return bodies_[side].points->vertex_count <= scanned_max; }
-    // Returns support() of a scanned hull, inlined into a caller that is compiled for the instruction set in use.
+    // Returns the support vertex of a scanned hull along `direction`, inlined into a caller that is compiled for the
+    // instruction set in use.
     ECODS_ALWAYS_INLINE std::uint32_t scan(std::size_t side, const Point& direction) const noexcept {
         const Body& body = bodies_[side];
         const std::vector<double>& groups = body.points->groups;
@@ -97,7 +98,8 @@ class PosedHulls {
         double of(std::uint32_t vertex) const noexcept { return exact::dot(along, points->at(vertex)); }
     };
     Heights heights(std::size_t side, const Point& n, double error) const noexcept;
-    // Appends to `list`, ascending, the vertices that may be extreme by these heights. Call it only for a scanned hull.
+    // Appends to `list`, ascending, the vertices that may be extreme along n by their heights. The hull must be a
+    // scanned one.
     static void list_furthest(const Heights& heights, std::vector<std::uint32_t>& list);
 
     // Returns true if all vertices of a solid other than `corners` are proven to be behind the corners, along the
@@ -115,7 +117,8 @@ class PosedHulls {
     // microseconds on first use, then some tens of nanoseconds; more if the points' digits do not fit into two limbs.
     template <std::size_t N, class Use>
     auto with_integers(const std::array<HullVertex, N>& vertices, Use&& use);
-    // Returns true if exact points fit into two limbs. fixed() then returns these points, in units of 2^fixed_unit().
+    // Returns true if exact points fit into two limbs. If it is true, fixed() returns the exact points in units of
+    // 2^fixed_unit().
     bool has_fixed_points();
     const exact::IntegerVector& fixed(const HullVertex& v) noexcept {
         return memory_.points.at(v.side, mesh_vertex(v));
@@ -170,7 +173,8 @@ class PosedHulls {
         }
         return along;
     }
-    // Returns the last vertex, whose copies fill up the last groups.
+    // Returns the index of the last vertex. Copies of it pad the SIMD groups, so a search clamps the index that it
+    // finds to this one.
     static std::uint32_t last_vertex(const Body& body) noexcept { return body.points->vertex_count - 1; }
     std::uint32_t mesh_vertex(const HullVertex& v) const noexcept {
         return bodies_[v.side].hull->mesh_vertices[v.vertex];

@@ -9,9 +9,9 @@ namespace ecods::convex {
 
 using exact::Uint128;
 
-// Chooses the unit. A sum of three products of short numbers is below 2^125.6; if six or more digits are dropped, less
-// than 2^120 is left. A difference of translations is below 2^121. So a point of the second hull is below 2^122, and so
-// is its difference from a point of the first hull.
+// Chooses the unit in which the points of both hulls are below 2^122. A sum of three products of short numbers is below
+// 2^125.6; if six or more digits are dropped, less than 2^120 is left. A difference of translations is below 2^121. So
+// a point of the second hull is below 2^122, and so is its difference from a point of the first hull.
 bool ShortPoints::bind(const Pose& a, const SupportPoints& points_a, const Pose& b, const SupportPoints& points_b,
                        double reach) noexcept {
     lost_ = 0;

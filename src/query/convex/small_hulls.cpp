@@ -1,5 +1,6 @@
-// Derivation. Let u' = two_u. Vertices are off by at most d_a and d_b on each axis (SmallHull::delta), and M bounds the
-// magnitudes of all coordinates as computed. n is any vector, |n|_1 the sum of its magnitudes, E = `error`.
+// This file bounds the distance of two small convex sets in doubles. Let u' = two_u. Vertices are off by at most d_a
+// and d_b on each axis (SmallHull::delta), and M bounds the magnitudes of all coordinates as computed. n is any vector,
+// |n|_1 the sum of its magnitudes, E = `error`.
 //
 // Upper bound. z = p + r u + s v + t w is a point of the Minkowski difference, where p is one vertex of a simplex and
 // u, v, w are the differences from it to the others, r, s, t >= 0, and r + s + t <= 1 but for two roundings: a point of
@@ -65,7 +66,8 @@ ECODS_ALWAYS_INLINE std::uint32_t SmallHull::support(const Point& along) const n
     return std::min(vertex_count_ - 1, furthest(groups_.data(), number_count_, along));
 }
 
-// Copies of the last vertex fill the last groups; they count if the last vertex does.
+// Returns the number of vertices whose dot product is at least `least` or NaN. Copies of the last vertex pad the last
+// groups, and are counted if the last vertex is.
 ECODS_ALWAYS_INLINE std::size_t SmallHull::count_not_below(const Point& along, double least) const noexcept {
     if (vertex_count_ < 3) {
         std::size_t count = 0;
@@ -118,7 +120,7 @@ Point feasible(const Simplex& simplex) noexcept {
     return z;
 }
 
-// Decides about a distance and a sum, from bounds of the distance.
+// Compares the distance of two sets with a sum, from bounds of the distance.
 struct Comparison {
     double sum;    // at least least_compared
     double error;  // E
@@ -227,7 +229,7 @@ Point SmallHull::pose(const Point& v) const noexcept {
     return p;
 }
 
-// Bounds errors as exact/point/point.hpp does.
+// Sets the error bound of the posed vertices, as derived in exact/point/point.hpp.
 void SmallHull::set_bounds(const Point& reach, double factor_max) noexcept {
     double sum_max = 0;
     for (std::size_t row = 0; row < 3; ++row) {
@@ -248,7 +250,7 @@ SmallHulls::SmallHulls(const Posed<MeshShape>& a, const Posed<MeshShape>& b) noe
     dispatch<&SmallHulls::prepare>(*this);
 }
 
-// A search begins with the support vertices along the direction between the centers.
+// Sets the first simplex to the support vertices along the direction between the centers.
 ECODS_ALWAYS_INLINE void SmallHulls::prepare() noexcept {
     hulls_[0].pose_vertices();
     hulls_[1].pose_vertices();
@@ -287,7 +289,8 @@ ECODS_ALWAYS_INLINE void SmallHulls::find_nearest() noexcept {
     gjk::descend(simplex_, *this, Supports{hulls_});
 }
 
-// A simplex names features if its pairs span them with no vertex too many.
+// Returns the features that the simplex's vertices span. The features are known only if the simplex has one pair more
+// than their dimensions add up to; otherwise returns nullopt.
 std::optional<SmallFeatures> SmallHulls::guess_closest() noexcept {
     dispatch<&SmallHulls::find_nearest>(*this);
     const Simplex& simplex = simplex_;

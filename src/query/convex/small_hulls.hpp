@@ -1,6 +1,6 @@
-// Poses two small convex sets in doubles, with a proven error bound: convex solids of few vertices, and meshes of one
-// triangle (a point, a segment, a triangle). Compares their distance with a number, and guesses and partly proves which
-// of their features are closest. Nothing is allocated, and poses may be singular.
+// SmallHulls poses two small convex sets in doubles, with a proven error bound: convex solids of few vertices, or
+// meshes of one triangle (a point, a segment, a triangle). It compares their distance with a number, and guesses and
+// partly proves which of their features are closest. Nothing is allocated, and poses may be singular.
 //
 // Points are relative to the translation of the first body's pose.
 #pragma once
@@ -24,15 +24,16 @@ class SmallHull {
   public:
     static constexpr std::size_t vertices_max = 64;
 
-    // Returns false if the shape is not a convex solid of at most vertices_max vertices or a mesh of one triangle, or
-    // if sizes are not ordinary. A triangle's corners must be equal, (p, q, q), or all different.
+    // Sets the hull to the posed shape, relative to `origin`. Returns false if the shape is neither a convex solid of
+    // at most vertices_max vertices nor a mesh of one triangle, or if sizes are not ordinary. A triangle's corners must
+    // be equal, (p, q, q), or all different.
     bool set(const Posed<MeshShape>& posed, const Vec3& origin) noexcept;
 
     // Returns the hull of a convex solid; null for a mesh of one triangle.
     const Hull* hull() const noexcept { return hull_; }
     const Posed<MeshShape>& posed() const noexcept { return *posed_; }
     std::uint32_t vertex_count() const noexcept { return vertex_count_; }
-    // Returns the vertex of the mesh.
+    // Returns vertex v as it stands in the mesh, not posed.
     const Vec3& vertex(std::uint32_t v) const noexcept;
 
     // Returns the posed vertex, rounded. Each coordinate is off by at most delta(), and at most size().
@@ -45,7 +46,7 @@ class SmallHull {
     double size() const noexcept { return size_; }
     const exact::Point& center() const noexcept { return center_; }
 
-    // Each of these is inlined into a caller that is compiled for the instruction set in use.
+    // The next functions are inlined into a caller that is compiled for the instruction set in use.
     void pose_vertices() noexcept;
     std::uint32_t support(const exact::Point& along) const noexcept;
     std::size_t count_not_below(const exact::Point& along, double least) const noexcept;

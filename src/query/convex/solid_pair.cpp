@@ -43,7 +43,8 @@ bool is_beyond(const PosedHulls& hulls, const Point& n, const Point& gap, double
     return least > limit * (std::sqrt(dot(n, n)) * (1 + 8 * two_u));
 }
 
-// Does the same for the direction between the centers; `start` must be between_centers().
+// Returns true if the direction between the centers proves that the solids are further apart than the limit. `start`
+// must be between_centers().
 bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noexcept {
     return is_beyond(hulls, minus(hulls.center(1), hulls.center(0)), start.points[0], limit);
 }
@@ -55,8 +56,8 @@ bool is_beyond_along(const PosedHulls& hulls, const Vec3& axis, double limit) no
     return is_beyond(hulls, n, minus(q, p), limit);
 }
 
-// Returns the distance if it is at most the limit. Only if the rounded distance equals the limit, rounding leaves open
-// whether the real one exceeds it; only then, the two are compared exactly.
+// Returns the distance if it is at most the limit; otherwise nullopt. If the rounded distance equals the limit, the
+// real distance may still exceed the limit; only then, the two are compared exactly.
 std::optional<double> distance_within(PosedHulls& hulls, const std::optional<ClosestHulls>& closest, double limit) {
     if (!closest) return 0;
     const double distance = round_distance(hulls, closest->found);

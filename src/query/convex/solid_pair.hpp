@@ -16,8 +16,8 @@ namespace ecods::convex {
 // Returns true if R is not singular.
 bool is_regular(const Pose& pose);
 
-// A SolidInMemory holds addresses of a solid's data that a query reads, so that the data can be prefetched. It is only
-// a hint.
+// A SolidInMemory holds addresses of a solid's data that a query reads, so that the data can be prefetched. Prefetching
+// is only a hint.
 struct SolidInMemory {
     const void* parts = nullptr;
     const double* points = nullptr;
@@ -33,9 +33,11 @@ struct SolidInMemory {
     static void prefetch_parts(const ConvexSolid& solid) noexcept;
 };
 
-// The next functions start from the triangles of the witness, and leave triangles of the closest features in it.
+// Returns the distance, rounded once. This function and the next ones start from the triangles of the witness, and
+// leave triangles of the closest features in it.
 double distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory, PairWitness& witness);
-// Returns nullopt if the solids share a point. If radii are given, points and distance are those of the rounded solids.
+// Returns the closest points; nullopt if the solids share a point. If radii are given, points and distance are those of
+// the rounded solids.
 std::optional<ClosestPoints> closest(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, QueryMemory& memory,
                                      PairWitness& witness, const exact::Radii& radii = {});
 // Returns the distance minus the margin, rounded once; 0 if the margin is at least the distance.
@@ -45,10 +47,10 @@ double distance_beyond(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
 bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Limit& limit, QueryMemory& memory,
             PairWitness& witness);
 
-// Returns the same for a limit >= 0, which may be infinity. Tries first whether the solids are further apart along
-// `axis`, which may be any vector; zero stands for the direction between their centers. If it answers false after a
-// search, sets `axis` to the direction from the first solid's closest point to the second's, along which their gap is
-// their distance.
+// Returns true if the real distance is at most `limit`, which must be >= 0 and may be infinity. Tries first whether the
+// solids are further apart along `axis`, which may be any vector; zero stands for the direction between their centers.
+// If a search finds the distance above the limit, sets `axis` to the direction from the first solid's closest point to
+// the second's, along which their gap is their distance.
 bool within(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, double limit, QueryMemory& memory,
             PairWitness& witness, Vec3& axis);
 

@@ -28,7 +28,8 @@ struct SupportPoints {
     // Lists, by axis, the vertices that are extreme against it and along it. A climb without a start begins at one of
     // them.
     std::array<std::uint32_t, 6> extremes{};
-    // Holds, by vertex of the mesh, its index in the hull, or `none`.
+    // Stands in hull_index for a vertex of the mesh that is no vertex of the hull. hull_index has, by vertex of the
+    // mesh, the index in the hull.
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     std::vector<std::uint32_t> hull_index;
 

@@ -19,8 +19,8 @@ const ConvexSolid* as_convex(const Posed<Solid>& solid) {
     return dynamic_cast<const ConvexSolid*>(solid.what);
 }
 
-// Returns the bounds for two solids of which at least one is flat. If one is not convex, the two have no inner points
-// in common, and the depth is 0. Two convex solids are parted by a plane, as depth() says.
+// Returns the bounds for two solids of which at least one is flat. If one solid is not convex, the solids have no inner
+// points in common, and the depth is 0. Two convex solids have the depth that depth() returns.
 std::optional<DepthBounds> bounds_of_flat(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
     const ConvexSolid *convex_a = as_convex(a), *convex_b = as_convex(b);
     DepthBounds result{0, 0, b.pose.t};

@@ -22,10 +22,10 @@ ConvexPair pair_of(convex::PosedHulls& hulls);
 // Returns the depth of two convex solids; nullopt if they share no point.
 std::optional<ExactDepth> find_depth(convex::PosedHulls& hulls, DepthMemory& memory);
 
-// Returns the depth as a question gives it, with the names of the features.
+// Returns the Depth of the public interface: `found`, with the names of the features.
 Depth depth_of(convex::PosedHulls& hulls, const ExactDepth& found);
 
-// Describes the pairs of points that the translation of a depth brings together.
+// Returns the description of all pairs of points that the shortest separating translation brings together.
 convex::LeastDifference least_of(convex::PosedHulls& hulls, const ExactDepth& found);
 
 }  // namespace ecods::depths

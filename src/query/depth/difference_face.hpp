@@ -26,10 +26,10 @@ struct DifferenceVertex {
 // the two is a face, or both are edges that are not parallel. A polygon's face has two normals.
 using DifferenceFace = std::array<convex::HullFeature, 2>;
 
-// Orders faces at exactly the same distance, so that one can be chosen: faces of the first solid come first, then faces
-// of the second, then pairs of edges; among each, the lesser index. If the same polygon is a face of both sides of the
-// difference, the other solid's feature decides: a vertex before an edge before a face, then the lesser index. If the
-// Minkowski difference does not lie in a plane, no two of its faces are equal in this order.
+// Returns the order of two faces at exactly the same distance, by which one is chosen: faces of the first solid come
+// first, then faces of the second, then pairs of edges; among each, the lesser index. If the same polygon is a face of
+// both sides of the difference, the other solid's feature decides: a vertex before an edge before a face, then the
+// lesser index. If the Minkowski difference does not lie in a plane, no two of its faces are equal in this order.
 inline std::strong_ordering order_of(const DifferenceFace& x, const DifferenceFace& y) noexcept {
     const auto rank = [](const DifferenceFace& f) -> std::array<std::uint32_t, 4> {
         const auto kind = [&](std::size_t side) { return static_cast<std::uint32_t>(f[side].kind); };

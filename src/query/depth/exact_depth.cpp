@@ -9,7 +9,7 @@
 namespace ecods::depths {
 namespace {
 
-// Calls `use` with the vertices of both solids as integers, with as many limbs as the largest of them needs.
+// Calls `use` with the vertices of both solids as integers, all with as many limbs as the largest coordinate needs.
 template <class Use>
 auto with_points(const ConvexPair& pair, Use&& use) {
     const PairTerms terms(pair);

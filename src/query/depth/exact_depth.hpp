@@ -1,4 +1,4 @@
-// Finds the depth of two convex solids in integers alone. This works for every finite input, but is expensive.
+// Computes the depth of two convex solids in integers alone. The computation is exact for every finite input, but slow.
 #pragma once
 
 #include <optional>
@@ -37,8 +37,8 @@ std::optional<ExactDepth> exact_depth(const ConvexPair& pair);
 // vertex of the other.
 std::optional<ExactDepth> depth_in_plane(const ConvexPair& pair);
 
-// Returns the depth, given the nearest face. `corners` must be three vertices of the Minkowski difference in the plane
-// of this face, not on one line, counterclockwise seen from outside.
+// Returns the depth of two solids whose nearest face of the Minkowski difference is `face`. `corners` must be three
+// vertices of the Minkowski difference in the plane of this face, not on one line, counterclockwise seen from outside.
 ExactDepth measure_exactly(const ConvexPair& pair, const DifferenceFace& face,
                            const std::array<DifferenceVertex, 3>& corners);
 

@@ -36,7 +36,7 @@ struct Direction {
     }
 };
 
-// LeftFirst orders planes by where a line from the origin leaves through them.
+// LeftFirst orders planes by the parameters at which a line from the origin leaves through the planes.
 template <int L>
 struct LeftFirst {
     exact::LimbVector<L> d;
@@ -66,7 +66,7 @@ Integer integer(const exact::Magnitude<L>& x) {
     return {exact::without_leading_zeros(x.limbs), x.negative != 0};
 }
 
-// Sets the parameter, h / n . d, and the length, which is the parameter times |d|.
+// Sets result.parameter to h / n . d, for the plane n . x = h, and result.length to the parameter times |d|.
 template <int L>
 void measure(const ExactPlane<L>& plane, const LeftFirst<L>& order, int unit, int unit_of_d, ExactDepthAlong& result) {
     if (plane.side == 0) return;

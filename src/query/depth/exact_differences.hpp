@@ -20,7 +20,8 @@
 
 namespace ecods::depths {
 
-// Holds the poses of both solids as sums of terms. Translations are relative to the first solid's translation.
+// PairTerms holds the poses of both solids as sums of terms. Translations are relative to the first solid's
+// translation.
 struct PairTerms {
     explicit PairTerms(const ConvexPair& pair) noexcept {
         for (std::size_t side = 0; side < 2; ++side) {
@@ -69,8 +70,8 @@ class ExactDifferences {
         return side == 0 ? s : -s;
     }
 
-    // Returns a vertex of one solid that is extreme along n (for the second solid, against n), and its edges to
-    // vertices that are as far.
+    // Returns a vertex of one solid that is extreme along n (for the second solid, against n), and the edges from the
+    // vertex to vertices that are as far.
     convex::Furthest furthest(std::size_t side, const Normal& n, std::uint32_t from) const {
         const auto signs = [&](std::uint32_t vertex, std::span<const convex::Hull::Neighbor> neighbors) {
             std::array<int, convex::signs_at_once> result{};

@@ -1,4 +1,4 @@
-// Grows the polytope that exact_depth.hpp describes, in integers of L limbs.
+// ExactExpansion grows the polytope that exact_depth.hpp describes, in integers of L limbs.
 #pragma once
 
 #include <algorithm>
@@ -77,8 +77,9 @@ struct NearestFirst {
     int operator()(const ExactPlane<L>& x, const ExactPlane<L>& y) const noexcept { return compare(x, y); }
 };
 
-// Finds the first face of the Minkowski difference in an order of planes. The order must put planes that have the
-// origin beyond them first, and all faces that tie at the end must contain a common point of the border.
+// ExactExpansion finds the face of the Minkowski difference that is first in an order of planes. The order must put
+// planes that have the origin beyond them first, and all faces that tie at the end must contain a common point of the
+// border.
 template <int L, class Order = NearestFirst<L>>
 class ExactExpansion {
   public:
@@ -89,7 +90,8 @@ class ExactExpansion {
         DifferenceFace face;
         const ExactPlane<L>* plane;  // valid as long as the expansion lives
     };
-    // Returns the first face, the first by name if several tie; nullopt if the solids share no point.
+    // Returns the face that is first in the order; by order_of(), if several are equal; nullopt if the solids share no
+    // point.
     std::optional<Found> find() {
         begin();
         std::optional<std::size_t> nearest;
@@ -122,7 +124,7 @@ class ExactExpansion {
         return {points_.furthest(0, n, from.p).vertex, points_.furthest(1, n, from.q).vertex};
     }
 
-    // Begins with a tetrahedron of four points of the Minkowski difference that are not in one plane.
+    // Sets the polytope to a tetrahedron of four points of the Minkowski difference that are not in one plane.
     void begin() {
         points_.hull(0).is_flat() ? add_spanning() : add_beside_face();
         const bool is_above = ExactPlane<L>(points_at_[0], points_at_[1], points_at_[2]).sign_at(points_at_[3]) > 0;
@@ -157,7 +159,8 @@ class ExactExpansion {
         }
     }
 
-    // Returns true if the point, which is none of the up to three vertices, is not on their line or in their plane.
+    // Returns true if the vertices so far, up to three, and the point m have no line or plane in common that one vertex
+    // less would span. m must be none of the vertices.
     bool leaves_span(const Point& m) const noexcept {
         const std::vector<Point>& at = points_at_;
         if (at.size() == 1) return true;

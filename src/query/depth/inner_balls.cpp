@@ -50,7 +50,7 @@ class BallSearch {
     static constexpr int halvings_max = 6;
     static constexpr int point_count_max = 90;
 
-    // Improves the best point by steps along the axes; halves the steps whenever no step improves the point.
+    // Moves the best point by steps along the axes, as long as the two balls grow; halves the steps if no step helps.
     void climb(Vec3 step) {
         for (int halvings = 0; halvings < halvings_max;) {
             const Vec3 from = best_;

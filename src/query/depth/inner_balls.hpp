@@ -13,9 +13,9 @@ struct BallHint {
     double step;
 };
 
-// Returns the largest r + s found, rounded down, where balls of radii r and s around one point are inside the two
-// solids; 0 if no point inside both solids was found. The result is a lower bound of the depth: after a translation
-// shorter than r + s the two balls still share inner points, and so do the solids.
+// Returns the largest r + s found, rounded down, such that balls of radii r and s around one point are inside the first
+// and the second solid; 0 if no point inside both solids was found. The result is a lower bound of the depth: after a
+// translation shorter than r + s the two balls still share inner points, and so do the solids.
 double find_inner_balls(const Posed<Solid>& a, const Posed<Solid>& b, const std::optional<BallHint>& hint,
                         QueryMemory& memory);
 

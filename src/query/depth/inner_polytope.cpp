@@ -91,7 +91,7 @@ bool InnerPolytope::set_tetrahedron() {
     return true;
 }
 
-// Makes a tetrahedron where the nearest faces are likely to be: where the ray from the middle of the difference through
+// Makes a tetrahedron at the likely place of the nearest faces: there the ray from the middle of the difference through
 // the origin leaves the difference. Takes three vertices around that ray, and one on the opposite side. Returns false
 // if no tetrahedron was found.
 bool InnerPolytope::begin() {
@@ -103,7 +103,7 @@ bool InnerPolytope::begin() {
     const Point e{1 + s * ray[0] * ray[0] * a, s * b, -s * ray[0]}, f{b, s + ray[1] * ray[1] * a, -ray[1]};
     upper_ = infinity;
     constexpr std::array<Point, 4> ways{{{1, 0, 0.375}, {-0.5, 0.875, 0.375}, {-0.5, -0.875, 0.375}, {0, 0, -1}}};
-    // A loop has one copy of the code of add_support(), which is always inlined.
+    // The calls are in a loop so that the code of add_support(), which is always inlined, has only one copy.
     for (const auto& [x, y, z] : ways) {
         add_support(
             {x * e[0] + y * f[0] + z * ray[0], x * e[1] + y * f[1] + z * ray[1], x * e[2] + y * f[2] + z * ray[2]});

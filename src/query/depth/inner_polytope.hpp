@@ -50,8 +50,8 @@ class InnerPolytope {
         }
     }
 
-    // Adds a vertex, which must be strictly beyond some face. Where doubles cannot decide whether the vertex is beyond
-    // a face, is_beyond(face) must return whether it is strictly beyond. Returns false if the border is too long.
+    // Adds a vertex, which must be strictly beyond some face. If doubles do not decide whether the vertex is beyond a
+    // face, is_beyond(face) must return whether the vertex is strictly beyond. Returns false if the border is too long.
     template <class IsBeyond>
     bool insert(const DifferenceVertex& v, IsBeyond&& is_beyond) {
         if (!has_space()) add_space();
@@ -92,7 +92,7 @@ class InnerPolytope {
     ECODS_ALWAYS_INLINE void set_face(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept;
     void remove_face(std::uint32_t i) noexcept;
     void add_space();
-    // Returns true if the lists have space for one more step, with faces read four at a time.
+    // Returns true if the lists of vertices and faces have space for one more step, with faces read four at a time.
     bool has_space() const noexcept {
         return face_count_ + border_max + 4 <= h_.size() && vertex_count_ + 8 <= vertices_.size();
     }

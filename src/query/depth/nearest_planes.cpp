@@ -27,11 +27,11 @@ void NearestPlanes::find_level(std::size_t side, const InnerPolytope::Face& face
     climb_to_level(side, heights, hulls_->support(side, n, start), level);
 }
 
-// Lists the vertices that may be extreme, for a solid that is not scanned. Begins at a vertex `top` that is nearly
-// extreme, and follows edges between vertices that may be extreme. All other neighbors of listed vertices are certainly
-// less far than the furthest listed vertex. So the exactly furthest listed vertex is at least as far as all its
-// neighbors, and hence extreme in the whole solid. Edges between listed vertices connect it to all vertices that are as
-// far.
+// Sets `level` to the vertices that may be extreme, for a solid that is not scanned. Begins at a vertex `top` that is
+// nearly extreme, and follows edges between vertices that may be extreme. All other neighbors of listed vertices are
+// certainly less far than the furthest listed vertex. So the exactly furthest listed vertex is at least as far as all
+// its neighbors, and hence extreme in the whole solid. Edges between listed vertices connect it to all vertices that
+// are as far.
 void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::Heights& heights, std::uint32_t top,
                                    Level& level) {
     const convex::Hull& hull = hulls_->hull(side);
@@ -51,7 +51,7 @@ void NearestPlanes::climb_to_level(std::size_t side, const convex::PosedHulls::H
     std::ranges::sort(level);
 }
 
-// Returns a mark that no vertex has.
+// Returns a mark that no vertex in marks_ has.
 std::uint32_t NearestPlanes::next_mark() noexcept {
     if (++mark_ == 0) {
         for (auto& marks : marks_) std::ranges::fill(marks, 0);
@@ -110,8 +110,8 @@ bool NearestPlanes::ties_for_certain(const Plane& plane, const DifferenceFace& f
     return true;
 }
 
-// Returns the vertex furthest beyond the plane, from the vertices near it that levels_ lists. If no vertex is beyond,
-// returns nullopt and reduces the lists to the vertices in the plane.
+// Returns the vertex furthest beyond the plane, from the vertices near the plane that levels_ lists. If no vertex is
+// beyond, returns nullopt and reduces the lists to the vertices in the plane.
 std::optional<DifferenceVertex> NearestPlanes::keep_ties(const Plane& plane) {
     auto& levels = levels_[plane.levels];
     if (!is_exact_) return keep_level(*pair_, plane.corners, levels);
@@ -137,8 +137,9 @@ FixedPlane NearestPlanes::plane_of(const std::array<DifferenceVertex, 3>& corner
     return {{difference(corners[0]), difference(corners[1]), difference(corners[2])}, hulls_->fixed_unit(), is_exact_};
 }
 
-// If the plane of `face` is the plane of a face of M, appends it to planes_ and returns in_plane. If it is not, returns
-// not_in_plane and sets `beyond` to a vertex beyond it. Returns thin or unknown if neither is proven.
+// Appends the plane of `face` to planes_ and returns in_plane, if it is the plane of a face of M (nearest_planes.hpp).
+// If it is not, returns not_in_plane and sets `beyond` to a vertex beyond the plane. Returns thin or unknown if neither
+// is proven.
 auto NearestPlanes::add(const InnerPolytope::Face& face, DifferenceVertex& beyond) -> Found {
     if (!(face.length > 4 * face.n_error)) return Found::thin;
     const std::size_t at = planes_.size();
@@ -172,8 +173,8 @@ bool NearestPlanes::is_beyond(const InnerPolytope::Face& face, const DifferenceV
     return plane.sign_along(exact::difference(difference(v), difference(face.corners[0]))) > 0;
 }
 
-// Fills planes_ with the planes of all faces of S that may be nearest, except thin faces, whose corners it adds to
-// thin_. Returns false if it cannot prove that none is left out.
+// Sets planes_ to the planes of all faces of the polytope that may be nearest, except thin faces, whose corners are
+// added to thin_. Returns false if it is not proven that planes_ and thin_ have all such faces.
 bool NearestPlanes::find_planes(InnerPolytope& polytope) {
     for (int steps = 0; steps < steps_max; ++steps) {
         thin_.clear();

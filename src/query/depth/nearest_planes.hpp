@@ -34,7 +34,7 @@ using exact::FixedPlane;
 class NearestPlanes {
   public:
     // Returns the nearest plane (the first one of ties), or an inner nullopt if the solids share no point. Returns an
-    // outer nullopt if it can prove neither.
+    // outer nullopt if neither the nearest plane nor a separation is proven.
     //
     // If a face of the polytope may be nearest, but is in no plane of a face of M, a vertex beyond this face is added
     // to the polytope. The tests of such a step are exact.

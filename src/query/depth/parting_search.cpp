@@ -1,5 +1,5 @@
-// Searches for translations that part two solids, by heuristics. No computation here has to be right, because
-// are_parted() confirms each result.
+// PartingSearch searches by heuristics for translations that part two solids. No computation here has to be right,
+// because are_parted() confirms each result.
 #include "query/depth/parting_search.hpp"
 
 #include <algorithm>
@@ -23,9 +23,9 @@ constexpr int normal_count_max = 3;
 // relative to the numbers whose difference the translation is.
 constexpr std::array<double, 6> margins{0, 0x1p-52, 0x1p-50, 0x1p-46, 0x1p-38, 0x1p-26};
 
-// These limit the length of the path after the contact, relative to the whole path. A contact's time is known to 2^-52
-// of the path, so to 2^-46 of a part as short as `short_part`. A part below `unknown_part` may be so short that its
-// length does not show whether the path is worth following.
+// short_part and unknown_part are lengths of the path after the contact, relative to the whole path. A contact's time
+// is known to 2^-52 of the path, so to 2^-46 of a part as short as `short_part`. A part below `unknown_part` may be so
+// short that its length does not show whether the path is worth following.
 constexpr double short_part = 0x1p-6, unknown_part = 0x1p-20;
 
 const exact::MeshExtent& extent_of(const Posed<Solid>& solid) {
@@ -205,7 +205,7 @@ void PartingSearch::search() {
             way = directions_.back();
         }
     }
-    // Tries the other directions until one of them gives a parting that is confirmed.
+    // Tries the other directions until a parting along one of them is confirmed.
     for (std::size_t i = count; i < directions_.size() && !has_found(); ++i) {
         slide(Direction(directions_[i]));
     }

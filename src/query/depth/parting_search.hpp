@@ -17,7 +17,7 @@ namespace ecods::depths {
 struct Parting {
     Vec3 parted = Vec3::Zero();
     double length = std::numeric_limits<double>::infinity();
-    // Holds a point near the middle of the region that the solids share when they touch last, if it is known.
+    // Holds a point near the last contact of the two solids while they are parted, if such a point is known.
     std::optional<Vec3> middle = {};
 };
 
@@ -31,8 +31,8 @@ class PartingSearch {
     // Tries to part the solids by moving the second one along a unit vector, by `length` or a little more.
     void try_length(const Vec3& direction, double length);
 
-    // Slides the second solid in from outside, along likely directions, up to the first contact. Then slides it along
-    // the normals of the contacts found.
+    // Casts the second solid from outside towards the first one, along likely directions, up to the first contact. Then
+    // casts it along the normals of the contacts found. Keeps the shortest parting in best().
     void search();
 
   private:

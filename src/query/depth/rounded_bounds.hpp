@@ -17,11 +17,11 @@
 // four delta. So the points of a solid are at most half of size(), and delta, from its center, which is the middle of a
 // box of the mesh.
 //
-// Reach is how far the true difference extends along n. It is computed from vertices p and q that support() found. A
-// height in the mesh's coordinates is off by less than 1.5 delta |n| (PosedHulls::heights), so the highest vertex is
-// less than 3 delta |n| above p. The rounded point of p is off by delta |n| along n, its product with n by 3.1 u' V
-// |n|, and 4.25 u' V <= delta: together less than 4.8 delta |n| for each solid. The difference of the products and the
-// sum with the bound round by less than delta |n| more: 12 delta |n| covers all of this.
+// Reach is the greatest height of the true difference along n. Reach is computed from vertices p and q that support()
+// found. A height in the mesh's coordinates is off by less than 1.5 delta |n| (PosedHulls::heights), so the highest
+// vertex is less than 3 delta |n| above p. The rounded point of p is off by delta |n| along n, the product of this
+// point and n by 3.1 u' V |n|, and 4.25 u' V <= delta: together less than 4.8 delta |n| for each solid. The difference
+// of the products and the sum with the bound round by less than delta |n| more: 12 delta |n| covers all of this.
 //
 // Underflow loses less than 2^-1000 altogether. As delta is at least 2^-200, and E between delta and 2^200, a bound of
 // 2^-800 covers it. Scenes beyond these limits are left to integers.

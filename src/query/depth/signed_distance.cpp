@@ -12,7 +12,7 @@
 namespace ecods {
 namespace {
 
-// Answers for two solids that are apart, if fixed precision decides all that is rounded.
+// Returns the signed distance of two solids that are apart if fixed precision decides all roundings; otherwise nullopt.
 std::optional<SignedDistance> find_apart(const convex::PosedHulls& hulls, const convex::ClosestHulls& closest,
                                          const exact::Radii& radii) {
     const auto fixed = convex::find_fixed(hulls, closest, radii);
@@ -22,7 +22,7 @@ std::optional<SignedDistance> find_apart(const convex::PosedHulls& hulls, const 
     return SignedDistance{at->distance, at->kind, at->a, at->b, at->point_a, at->point_b, *direction};
 }
 
-// Answers for two solids that share a point.
+// Returns the signed distance of two solids that share a point: minus their depth and the radii.
 SignedDistance deepest(convex::PosedHulls& hulls, const exact::Radii& radii, Asking& asking) {
     const std::optional<depths::ExactDepth> found = depths::find_depth(hulls, depths::DepthMemory::of(asking.memory()));
     ECODS_ASSERT(found);
@@ -37,7 +37,8 @@ SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSo
     return depths::signed_distance(a, b, {}, ask);
 }
 
-// Searches for the distance first. It is the answer for solids that are apart; for others, the search costs little.
+// Searches for the distance of the solids first, which is the result if the solids are apart; if they share a point,
+// this search costs little.
 SignedDistance depths::signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                        const exact::Radii& radii, const Ask& ask) {
     Asking asking(ask);

@@ -11,11 +11,11 @@
 namespace ecods::depths {
 
 // Returns the distance of the solids minus the radii; if the solids share a point, minus the sum of their depth and the
-// radii. The points are those of the rounded solids. Counts as a question. Throws SingularPose.
+// radii. The points are those of the rounded solids. The call is counted as a question. Throws SingularPose.
 SignedDistance signed_distance(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b, const exact::Radii& radii,
                                const Ask& ask);
 
-// Returns the same if the solids share a point; otherwise nullopt.
+// Returns signed_distance() if the solids share a point; otherwise nullopt.
 std::optional<SignedDistance> signed_depth(const Posed<ConvexSolid>& a, const Posed<ConvexSolid>& b,
                                            const exact::Radii& radii, const Ask& ask);
 

@@ -12,7 +12,7 @@ ClosestPoints closest_of_intersecting(const Posed<MeshShape>& a, const Posed<Mes
     return search.exact_pair().closest(first.a, first.b);
 }
 
-// Finds the closest points, and leaves their triangles as a witness.
+// Returns the closest points, and sets the witness to their triangles.
 ClosestPoints find_closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b, DistanceSearch& search, Asking& asking,
                            const exact::Radii& radii) {
     search.run({}, asking.witness());
@@ -20,8 +20,8 @@ ClosestPoints find_closest(const Posed<MeshShape>& a, const Posed<MeshShape>& b,
     if (search.sieve().is_zero()) {
         result = closest_of_intersecting(a, b, search, asking.memory());
     } else {
-        // Consider a pair of triangles at the least distance. Either it is open, or an open pair with the same features
-        // precedes it in the order of triangles.
+        // Each pair of triangles at the least distance is open, or an open pair with the same closest features precedes
+        // that pair in the order of triangles.
         const auto& open = search.sieve().keep_least(
             [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });
         result =

@@ -9,7 +9,7 @@ namespace ecods {
 namespace {
 
 // Returns a pair of triangles with the least real distance, as closest() finds it. Comparing rounded distances does not
-// suffice here: where D - margin cancels, it has digits that the rounded distance D has not.
+// suffice here: if the difference D - margin of a distance D cancels, it has digits that the rounded D has not.
 TrianglePair find_nearest(DistanceSearch& search, PairWitness& witness) {
     const auto& open = search.sieve().keep_least(
         [&](const TrianglePair& x, const TrianglePair& y) { return search.exact_pair().compare(x, y); });

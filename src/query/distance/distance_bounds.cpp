@@ -44,8 +44,7 @@ DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
 
 }  // namespace
 
-// Bound: the relative error of the difference and of each product is at most u' = 2^-52.
-// Claim: verify/proofs/small_bounds.py
+// The difference and each product have a relative error of at most u' = 2^-52. Claim: verify/proofs/small_bounds.py
 bool surface::is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
     if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
     if (key_of(bounds.upper) == key_of(infinity)) return false;
@@ -80,7 +79,8 @@ DistanceBounds surface::distance_bounds(const Posed<MeshShape>& a, const Posed<M
     if (search.sieve().is_zero()) return {0, 0};
     if (search.sieve().open().empty()) return {limit, infinity};
     const DistanceBounds bounds = adjacent_bounds(search, witness);
-    // A pair that was dropped may be nearer than the nearest open pair. If the latter is beyond the limit, both are.
+    // A pair that was dropped may be nearer than the nearest open pair. If the nearest open pair is beyond the limit,
+    // so is the dropped pair.
     if (key_of(bounds.lower) > key_of(limit)) return {limit, infinity};
     return bounds;
 }

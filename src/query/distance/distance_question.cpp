@@ -100,15 +100,17 @@ void DistanceQuestion::set_direction(std::size_t lane) {
     }
 }
 
-// Does nothing until all nodes have been visited (`bound` is then infinite); then encloses the candidates.
+// Encloses the distances of the candidates once all nodes have been visited (`bound` is then infinite); until then does
+// nothing.
 void DistanceQuestion::advance(Search& search, float bound) {
     if (bound < std::numeric_limits<float>::infinity()) return;
     bound_batch(search);
     if (!search.sieve().is_decided()) enclose_candidates(search);
 }
 
-// Encloses candidates in ascending order of their lower bounds, until all others are beyond the limit. If pairs may be
-// excluded by a slab, first computes the exact distance of the nearest pair so far; this pair sets the slab.
+// Encloses the distances of candidates in ascending order of their lower bounds, until all others are beyond the limit.
+// If pairs may be excluded by a slab, first computes the exact distance of the nearest pair so far; this pair sets the
+// slab.
 void DistanceQuestion::enclose_candidates(Search& search) {
     if (excludes_) {
         const TrianglePair nearest{search.sieve().nearest().a, search.sieve().nearest().b};

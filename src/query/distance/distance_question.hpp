@@ -21,10 +21,11 @@ class DistanceQuestion {
     using Value = double;
     using Search = ecods::Search<DistanceQuestion>;
 
-    // Everything that the arguments refer to must outlive this object. No pair is excluded until exclude() is called.
+    // Binds the question to two bodies. Everything that the arguments refer to must outlive this object. No pair is
+    // excluded until exclude() is called.
     void bind(const MeshPair& bodies, QueryCounts& counts);
     // Lets the search exclude pairs that are certainly not nearer than another pair, if the coordinates allow it. Call
-    // it only if the query needs only the least distance, not all pairs that have it.
+    // exclude() only if the query needs the least distance alone, not all pairs that have it.
     void exclude() noexcept { excludes_ = pair_.can_refer(); }
 
     // Returns true if the bodies are so far apart that floats can order nodes only by their positions along the gap.

@@ -11,9 +11,9 @@
 
 namespace ecods {
 
-// This witness is left by a pair that was not within a distance. It names no triangle, and its `b` is the number of an
-// axis (query/intersection). The next query then begins at the roots, because trying two triangles first would be in
-// vain.
+// apart_witness is the witness of a pair that was not within a distance. It names no triangle, and its `b` is the
+// number of an axis (query/intersection). The next query of the pair begins at the roots, because trying two triangles
+// first would be in vain.
 inline constexpr PairWitness apart_witness{.a = PairWitness::none, .b = 0};
 constexpr bool is_apart(const PairWitness& witness) noexcept {
     return witness.a == PairWitness::none && witness.b != PairWitness::none;
@@ -21,8 +21,8 @@ constexpr bool is_apart(const PairWitness& witness) noexcept {
 
 using DistanceSieve = SieveOf<DistanceQuestion>;
 
-// Applies closest(pair) to all open pairs, which tie, and returns the result that is first by the rule of
-// ClosestPoints. There must be an open pair.
+// Calls closest(pair) for all open pairs, which have the same distance, and returns the result that is first by the
+// rule of ClosestPoints. There must be an open pair.
 template <class Closest>
 ClosestPoints least_closest(const std::vector<DistanceSieve::Open>& open, Closest&& closest) {
     ClosestPoints result = closest(open[0].triangles);

@@ -13,8 +13,8 @@ namespace ecods {
 
 class LeastNames {
   public:
-    // `triangles` may be in any order and contain duplicates. Cost: sorting the corners of these triangles; other
-    // triangles are not read.
+    // Takes the given triangles of the mesh, in any order; duplicates are allowed. Cost: sorting the corners of these
+    // triangles; other triangles are not read.
     LeastNames(const Mesh& mesh, std::vector<std::uint32_t> triangles);
 
     // Returns the vertex or edge `feature` with its least name: the least of the given triangles that has it, and the

@@ -71,7 +71,7 @@ double PointSearch::distance() {
         return as_part(memory_, [&] { return surface::distance(point(), posed_, memory_); });
     }
     if (touched_) return 0;
-    // For a few pairs, rounding all costs less than measuring one for the slab.
+    // For a few triangles, rounding all their distances costs less than measuring one distance exactly for the slab.
     constexpr std::size_t few = 8;
     TriangleDistances& pair = working_.pair;
     bool has_slab = false;

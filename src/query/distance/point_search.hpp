@@ -20,9 +20,9 @@ struct OnlyFeature {
     int side = 0;
 };
 
-// PointSearch treats a point as the first body of a pair: the mesh of point_shape(), translated. So its answers are
-// those of DistanceSearch. The walk of one tree, and doubles, leave few triangles; if floats cannot distinguish nodes,
-// DistanceSearch answers.
+// PointSearch finds the triangles of a body that are nearest to a point. The point counts as the first body of a pair:
+// the mesh of point_shape(), translated. So all results equal those of DistanceSearch. A walk of one tree, and doubles,
+// leave few triangles; if floats cannot distinguish nodes, DistanceSearch is used instead.
 class PointSearch {
   public:
     // `body` and `memory` must outlive the search.
@@ -30,8 +30,8 @@ class PointSearch {
     PointSearch(const PointSearch&) = delete;
     PointSearch& operator=(const PointSearch&) = delete;
 
-    // Finds the triangles that may be nearest to the point, which must be finite. The next functions answer for this
-    // point; they may be called in any order.
+    // Finds the triangles that may be nearest to the point, which must be finite. The next functions return results for
+    // this point; they may be called in any order.
     void find(const Vec3& point);
 
     // Returns the least distance, rounded once; 0 exactly if the point is on the surface.

@@ -19,7 +19,7 @@ namespace ecods::surface {
 
 using Body = Posed<MeshShape>;
 
-// Throws InvalidArgument for a number that is negative or NaN.
+// Throws InvalidArgument if a number of the tolerance is negative or NaN.
 inline void require_valid(const DistanceTolerance& tolerance) {
     require_distance(tolerance.relative);
     require_distance(tolerance.absolute);

@@ -15,7 +15,7 @@ namespace ecods {
 
 using namespace exact;
 
-// Returns a corner of triangle i. It is the origin of the exact points of all pairs with this triangle.
+// Returns the first corner of triangle i, which is the origin of the exact points of all pairs with this triangle.
 PointRef TriangleDistances::first_corner(std::uint32_t i) const noexcept {
     const BodyRef& a = points_.body(0);
     return {a.pose, &a.mesh->vertices()[triangles_[0][i][0]]};

@@ -73,14 +73,13 @@ class TriangleDistances {
     // Sets the pair of triangles with which is_not_nearer() compares others. The two triangles must not share a point.
     void refer_to(const TrianglePair& pair);
     // Returns true if `pair` is certainly at least as far apart as the pair given to refer_to(); false proves nothing.
-    // For a pair that may tie with the given pair, or shares features with it, the result is usually true. Cost: some
-    // nanoseconds, and 0.1 microseconds for each new vertex.
+    // If `pair` may have the same distance as the given pair, or shares features with that pair, the result is usually
+    // true. Cost: some nanoseconds, and 0.1 microseconds for each new vertex.
     bool is_not_nearer(const TrianglePair& pair);
 
-    // Returns the closest points of triangles i and j. If there are several, the rule of ClosestPoints chooses. If the
-    // triangles do not meet and radii are given, the points are those of the rounded triangles, and so is the distance.
-    // Sets point_a only if it is `wanted`, since rounding it takes a third of the time; point_a may be left out only
-    // without radii.
+    // Returns the closest points of triangles i and j, chosen by the rule of ClosestPoints if there are several. If the
+    // triangles do not meet and radii are given, points and distance are those of the rounded triangles. Sets point_a
+    // only if it is `wanted`, since rounding it takes a third of the time; point_a may be left out only without radii.
     enum class PointA : std::uint8_t { wanted, left_out };
     ClosestPoints closest(std::uint32_t i, std::uint32_t j, const exact::Radii& radii = {},
                           PointA point_a = PointA::wanted);
@@ -105,7 +104,8 @@ class TriangleDistances {
     };
 
     exact::IntegerPair integers(std::uint32_t i, std::uint32_t j);
-    // Returns the closest points in fixed precision; nullopt unless doubles are certain of their features.
+    // Returns the closest points of triangles i and j in fixed precision; nullopt unless doubles prove the closest
+    // features.
     std::optional<exact::FixedClosest> find_fixed(std::uint32_t i, std::uint32_t j, const exact::Radii& radii);
     template <class Use>
     auto with_features(std::uint32_t i, std::uint32_t j, Use&& use);

@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// PointSigns computes exact signs of points of a frame's bodies. It is slow, because each call converts its points
-// again.
+// PointSigns computes exact signs of orient2d, orient3d and coordinate comparisons for vertices of a frame's bodies. It
+// is slow, because each call converts its points again.
 class PointSigns {
   public:
     using Point = exact::VertexRef;

@@ -28,8 +28,8 @@ SegmentEnds ends_of(const std::array<PosedFeature, 2>& features, int high) noexc
     return {segment_of(features[0]), segment_of(features[1]), high};
 }
 
-// Replaces the closest points of the segments of a vertex and a face by those of the two features: the vertex, and its
-// foot.
+// Replaces the closest points of the two auxiliary segments of a vertex and a face (segment_ends.hpp) by the vertex and
+// its foot in the face.
 void move_to_features(ClosestOnSegments& at, const SegmentEnds& ends, std::size_t of_face) noexcept {
     const std::size_t of_vertex = 1 - of_face;
     const auto w = difference(at.point[of_face], at.point[of_vertex]);

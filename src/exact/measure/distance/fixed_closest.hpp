@@ -1,5 +1,5 @@
-// Answers questions about the closest points of two features in fixed precision, where this decides each answer. The
-// answers are those of exact arithmetic, and are found about as fast as in doubles.
+// FixedClosest computes the closest points of two features in fixed precision, about as fast as in doubles. It returns
+// nullopt where this precision does not decide; its other answers are those of exact arithmetic.
 #pragma once
 
 #include <array>

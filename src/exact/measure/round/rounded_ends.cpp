@@ -5,7 +5,8 @@
 
 namespace ecods::exact {
 
-// The coordinate is x / den + radius n_i / |n|.
+// Rounds each coordinate of the core's closest point plus radius n / |n|. In units of the RootSum it is x / den +
+// radius n_i / |n|, where x / den is the core's coordinate.
 Vec3 round_end(const PointRef& origin, const ExactPoint& point, const ScaledInteger& radius, const LongDirection& n) {
     const ScaledLongVector start = posed_point(*origin.pose, *origin.v);
     const Integer den(point.den.limbs(), false);

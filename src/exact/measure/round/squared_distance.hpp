@@ -12,7 +12,7 @@ namespace ecods::exact {
 // Points of limb_count_max limbs give numerators of up to six times as many limbs (exact_features.hpp).
 inline constexpr std::size_t numerator_limbs = 6 * limb_count_max;
 inline constexpr std::size_t denominator_limbs = 4 * limb_count_max;
-// divisor_limbs is the number of limbs of the longest divisor.
+// round_root() takes denominators of at most divisor_limbs limbs.
 inline constexpr std::size_t divisor_limbs = numerator_limbs;
 
 // Represents num / den * 4^exponent.
