@@ -1,11 +1,11 @@
-// Finds when an edge of a translated solid that slides in the plane of a face enters the other solid.
+// Computes the time at which an edge of a translated solid, sliding in the plane of a face, enters the other solid.
 //
 // Let n be the outer normal of a face f. Near a point of the edge e, the edge's solid is a union of wedges around e,
 // whose sides are the half-planes of the triangles at e. The wedges reach strictly below f, into the directions d with
 // n.d < 0, if one of the half-planes does; or if no half-plane does and all directions below f belong to a wedge. In
-// the second case, the half-plane that is nearest to the directions below f decides if they do. If it is in the plane
-// of f, the directions below are on its inner or its outer side. Otherwise it has all other half-planes on one side,
-// and the directions below are on its other side.
+// the second case, the half-plane that is nearest to the directions below f decides if they belong to a wedge. If this
+// half-plane is in the plane of f, the directions below f are on its inner or its outer side. Otherwise this half-plane
+// has all other half-planes on one side, and the directions below f on the other side.
 //
 // If the wedges reach below f, e's solid and f's solid share inner points beside f while the open segment e is in the
 // open triangle f. Let e and f be in one plane that is parallel to the motion. Then e enters f like a segment enters a
@@ -28,8 +28,8 @@ class SlidingSolids final : public SlidingEdges {
   public:
     SlidingSolids(const Posed<Solid>& a, const Vec3& motion, const Posed<Solid>& b);
 
-    // Return the mesh, with split edges, on which the search runs, and the name of one of its triangles in the solid's
-    // mesh.
+    // Return the mesh with split edges that is searched, and the triangle of the solid's mesh that contains a triangle
+    // of the mesh with split edges.
     Posed<MeshShape> mesh(std::size_t side) const;
     std::uint32_t name(std::size_t side, std::uint32_t triangle) const;
 

@@ -1,5 +1,5 @@
-// A SmallPair is two rounded bodies about which doubles and fixed precision decide most questions: spheres, capsules,
-// and other bodies with small convex cores. At least one must have a radius.
+// A SmallPair holds two rounded bodies whose distance doubles and fixed precision decide in most cases: spheres,
+// capsules, and other bodies with small convex cores. At least one body must have a radius.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ class SmallPair {
     // Returns the sign of (distance of the cores) - (radii) - max_distance, -1 or 1, if doubles decide it; otherwise
     // nullopt.
     std::optional<int> compare(double max_distance) noexcept;
-    // Returns the closest points, if fixed precision decides where they are. Continues from the result of compare().
+    // Returns the closest points if fixed precision decides on which features they are; otherwise nullopt. Continues
+    // from the result of compare().
     std::optional<RoundedSegments> find_closest();
 
   private:

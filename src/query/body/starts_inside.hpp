@@ -1,4 +1,4 @@
-// Makes the hit of a line that begins inside a solid.
+// Detects that a line begins inside a solid, and makes the hit at the line's beginning.
 #pragma once
 
 #include "ecods/ask.hpp"
@@ -19,7 +19,7 @@ inline const Vec3& begin_of(const Ray& ray) noexcept {
 // that calls this function.
 bool is_inside(const Vec3& point, const PosedBody& body, QueryMemory& memory);
 
-// Returns the hit at the line's beginning.
+// Returns the hit at `begin`, the beginning of a line inside a solid.
 Hit hit_inside(const Vec3& begin) noexcept;
 
 }  // namespace ecods

@@ -32,8 +32,8 @@ struct AxisFormula {
     friend bool operator==(const AxisFormula&, const AxisFormula&) = default;
 };
 
-// Holds the corners of a triangle of a, then those of a triangle of b. They are exact if Vector has integers, and
-// rounded if it has doubles.
+// Corners holds the corners of a triangle of body a, then the corners of a triangle of body b. The corners are exact if
+// Vector has integers, and rounded if Vector has doubles.
 template <class Vector>
 using Corners = std::array<Vector, 6>;
 using SixCorners = Corners<exact::LongVector>;

@@ -24,7 +24,8 @@
 
 namespace ecods {
 
-// Holds the numbers of a posed mesh that do not depend on the axis, named as in the derivation above.
+// BodyFrame holds the numbers of a posed mesh that do not depend on the axis; the comments name them as the derivation
+// above does.
 struct BodyFrame {
     // Coordinates are relative to `base`. The pose and the shape that `body` refers to must outlive this object.
     BodyFrame(const Posed<MeshShape>& body, const Vec3& base);

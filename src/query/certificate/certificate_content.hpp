@@ -1,4 +1,4 @@
-// Defines the content of a certificate, and how its text is made.
+// Defines the content of a certificate, and the function that writes the content as text.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ namespace ecods {
 struct Certificate::Content {
     Claim claim = Claim::disjoint;
     double value = 0;
-    // a and b are the closest features, for the claims distance and within; for triangles that meet, the two triangles
-    // as faces.
+    // `a` and `b` are the closest features for the claims distance and within; for a claim that triangles meet, they
+    // are the two triangles as faces.
     Feature a, b;
     bool names_triangles = false;  // true if a and b name triangles that meet
 
@@ -44,7 +44,7 @@ struct CertificateAccess {
     static const Content& content(const Certificate& certificate) noexcept { return *certificate.content_; }
 };
 
-// Appends the lines of the text from `claim` to `end`.
+// Appends to `text` the lines of the certificate from `claim` to `end`.
 void append_proof(std::string& text, const CertificateAccess::Content& content);
 
 }  // namespace ecods

@@ -37,7 +37,8 @@ class Maker {
     }
 
     Certificate relation() {
-        // Tries to prove that the bodies are disjoint. If they are not, the attempt ends at two triangles that meet.
+        // Tries to prove that the bodies are disjoint. If the bodies share a point, the attempt ends at two triangles
+        // that meet.
         content_.claim = Claim::disjoint;
         const auto meeting = PairProof(a_, b_, 0, pair_, content_.proof).run(std::nullopt, PairProof::EndsAt::meeting);
         if (!meeting) return CertificateAccess::make(std::move(content_));
@@ -64,7 +65,7 @@ class Maker {
         if (!is_within) return prove(Claim::beyond, d);
         content_.claim = Claim::within;
         // The witness may not be a pair within d: if d is infinite, no search was made; otherwise the search may have
-        // set no pair, or left a pair of an earlier query. In these cases, finds the nearest pair.
+        // set no pair, or left the pair of an earlier query. In both cases, searches for the nearest pair.
         if (key_of(d) == key_of(infinity) || !names_pair(witness) || pair_.compare(witness.a, witness.b, d) > 0) {
             witness = {};
             if (key_of(surface::distance(a_, b_, {memory_, witness})) == 0) return meeting(witness);

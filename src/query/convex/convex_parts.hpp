@@ -16,7 +16,7 @@ struct ConvexSolid::ConvexParts {
     Lazy<convex::FaceTriangles> face_triangles;
 };
 
-// Gives the library access to the parts of a ConvexSolid.
+// ConvexSolidAccess gives the library access to the parts of a ConvexSolid.
 struct ConvexSolidAccess {
     static const convex::Hull& hull(const ConvexSolid& solid) noexcept { return solid.convex_parts_->hull; }
     static const convex::SupportPoints& points(const ConvexSolid& solid) noexcept {

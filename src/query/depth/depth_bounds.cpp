@@ -20,7 +20,8 @@ const ConvexSolid* as_convex(const Posed<Solid>& solid) {
 }
 
 // Returns the bounds for two solids of which at least one is flat. If one solid is not convex, the solids have no inner
-// points in common, and the depth is 0. Two convex solids have the depth that depth() returns.
+// points in common, and the depth is 0. If both are convex, depth() computes the depth, and a translation along its
+// direction parts the solids.
 std::optional<DepthBounds> bounds_of_flat(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
     const ConvexSolid *convex_a = as_convex(a), *convex_b = as_convex(b);
     DepthBounds result{0, 0, b.pose.t};

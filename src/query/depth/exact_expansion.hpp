@@ -159,8 +159,8 @@ class ExactExpansion {
         }
     }
 
-    // Returns true if the vertices so far, up to three, and the point m have no line or plane in common that one vertex
-    // less would span. m must be none of the vertices.
+    // Returns true if m is not in the span of the vertices so far, of which there are up to three: not on the line of
+    // two, and not in the plane of three. m must be none of the vertices.
     bool leaves_span(const Point& m) const noexcept {
         const std::vector<Point>& at = points_at_;
         if (at.size() == 1) return true;

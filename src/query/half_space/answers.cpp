@@ -1,7 +1,7 @@
-// Answers the questions of solid.hpp about a body and a half space, from the body's lowest vertices.
+// Implements the functions of solid.hpp for a body and a half space, from the body's lowest vertices.
 //
-// Questions about a rounded body are answered from its core. A ball around a point reaches as far below the point
-// everywhere, so the signed distance of a rounded body is that of its core minus the radius.
+// A rounded body is treated by its core. The lowest point of a ball is its radius below the center, for every center,
+// so the signed distance of a rounded body is the signed distance of its core minus the radius.
 #include <optional>
 
 #include "base/double_key.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 using exact::ScaledInteger;
 
-// Asked is one question about a body and a half space.
+// Asked holds a body and a half space, and computes the functions of solid.hpp for them.
 class Asked {
   public:
     Asked(const CoreAndRadius& body, const Posed<HalfSpace>& half_space, const Ask& ask)
@@ -103,8 +103,8 @@ class Asked {
     }
 
   private:
-    // Casts the ball around the lowest vertex, whose center is above the plane. The center is at the height r |N| at
-    // the time (h - r |N|) / -rise.
+    // Returns the first contact of the ball of radius r around the lowest vertex, whose height h is positive. The
+    // center is at the height r |N| at the time (h - r |N|) / -rise (heights.hpp).
     std::optional<FirstContact> cast_ball(const ScaledInteger& rise, double latest) {
         FirstContact contact{0, ClosestKind::vertex_face, feature(), plane_feature};
         if (sign_of_distance(heights_) <= 0) return contact;
@@ -119,7 +119,7 @@ class Asked {
     const ScaledInteger& square() const { return plane_.exact().square; }
     const MeshShape& shape() const noexcept { return *body_.boundary().what; }
 
-    // Finds the lowest vertex, which the next functions use.
+    // Sets lowest_ to the lowest vertex of the body, which the next functions use.
     void find_lowest() { lowest_ = half_spaces::find_lowest(shape(), heights_, asking_.memory()); }
     const Vec3& vertex() const noexcept { return shape().mesh().vertices()[lowest_.vertex]; }
     ScaledInteger height() const { return heights_.exact(vertex()); }

@@ -30,7 +30,7 @@ struct Memory final : QueryMemoryPart {
     }
 };
 
-// Keeps, for each vertex, the first candidate by name. Sorts the list by vertex.
+// Keeps only the first candidate by name for each vertex, and sorts the list of candidates by vertex.
 inline void keep_one_a_vertex(std::vector<Memory::Candidate>& candidates) {
     const auto vertex_of = [](const Memory::Candidate& c) { return c.corner.vertex; };
     std::ranges::sort(candidates, {}, [](const Memory::Candidate& c) {

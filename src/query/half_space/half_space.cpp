@@ -29,7 +29,7 @@ bool is_zero(double x) noexcept {
     return coordinate_bits(x) == 0;
 }
 
-// A LineAsked is a segment or ray, as the points begin + s step.
+// A LineAsked is a segment or a ray: the points begin + s step for parameters s from 0 to `last`.
 struct LineAsked {
     explicit LineAsked(const Segment& segment)
         : begin(segment.a), end(segment.b), is_direction(false), is_point(same_point(segment.a, segment.b)), last(1) {}
@@ -114,7 +114,7 @@ Aabb HalfSpace::box(const Pose& pose) const {
     const auto& N = plane.exact().N;
     const auto is_not_zero = [](const ScaledInteger& x) { return x.sign() != 0; };
     if (std::ranges::count_if(N, is_not_zero) > 1) return box;
-    // Only one coordinate of N is not zero, so the half space ends on that axis, where N x = E + N . t.
+    // The half space ends on the axis of the only coordinate N_k of N that is not zero, at x with N_k x = E + N . t.
     const auto found = std::ranges::find_if(N, is_not_zero);
     const ScaledInteger& n = *found;
     const auto axis = found - N.begin();

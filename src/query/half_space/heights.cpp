@@ -25,7 +25,7 @@ ScaledInteger turned(const ScaledInteger& x, int sign) {
     return sign < 0 ? -x : x;
 }
 
-// Returns the cross product of |a| and |b| with sums in place of differences. It bounds the terms of a x b.
+// Returns, for each coordinate of a x b, the sum of the magnitudes of its two products.
 Vec3 cross_size(const Vec3& a, const Vec3& b) {
     const Vec3 x = a.cwiseAbs(), y = b.cwiseAbs();
     return {x[1] * y[2] + x[2] * y[1], x[2] * y[0] + x[0] * y[2], x[0] * y[1] + x[1] * y[0]};
@@ -35,7 +35,7 @@ double dot(const Vec3& a, const Vec3& b) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 
-// Returns false also if a coordinate is NaN.
+// Returns true if no coordinate's magnitude exceeds 2^100; false if a coordinate is NaN.
 bool is_moderate(const Vec3& v) {
     return std::abs(v[0]) <= size_max && std::abs(v[1]) <= size_max && std::abs(v[2]) <= size_max;
 }

@@ -45,7 +45,8 @@ struct HeightBounds {
 // A Plane is the plane of a posed half space: N and E, by doubles and exactly.
 class Plane {
   public:
-    // Throws SingularPose, which names the half space as argument number `argument` of the question.
+    // Computes the plane of the posed half space. Throws SingularPose with the number `argument` if the pose is
+    // singular.
     explicit Plane(const Posed<HalfSpace>& posed, int argument = 1);
 
     struct Exact {
@@ -78,7 +79,7 @@ class Plane {
 // Heights computes the heights of the points of a posed body. `plane` must outlive this object.
 class Heights {
   public:
-    // Chooses heights above the plane, or their negatives, the depths below the plane.
+    // A Side selects heights above the plane, or their negatives, the depths below the plane.
     enum class Side : signed char { above = 1, below = -1 };
     Heights(const Plane& plane, const Pose& body, Side side = Side::above);
 
@@ -112,8 +113,8 @@ class BoxHeights {
 
     const MeshBvh& tree() const noexcept { return tree_; }
 
-    // Returns a lower bound of the heights of a box with this center and half size; -infinity or NaN if doubles give no
-    // bound.
+    // Returns a lower bound of the heights of a box with this center and half size; -infinity or NaN if doubles prove
+    // no bound.
     double low(const std::array<float, 3>& center, const std::array<float, 3>& half) const noexcept {
         return below(center[0], center[1], center[2], half[0], half[1], half[2]);
     }

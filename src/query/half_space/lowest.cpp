@@ -13,8 +13,8 @@ namespace {
 
 using Candidate = Memory::Candidate;
 
-// Returns an upper bound of the least height. It descends into the lowest box of each node, and takes the lowest corner
-// of the leaf that it reaches.
+// Returns an upper bound of the least height: descends into the lowest box of each node, and bounds the height of the
+// lowest corner of the leaf at the end.
 double dive(const MeshShape& shape, const Heights& heights, const BoxHeights& boxes) {
     const MeshBvh& tree = boxes.tree();
     TreeRef at = tree.root;

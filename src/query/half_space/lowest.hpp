@@ -18,13 +18,13 @@ struct Corner {
     std::pair<std::uint32_t, std::uint32_t> name() const noexcept { return {triangle, index}; }
 };
 
-// Answers name this feature of a half space: its plane, as the face of triangle 0.
+// plane_feature is the feature that results name for a half space: its plane, as the face of triangle 0.
 inline constexpr Feature plane_feature{Feature::Kind::face, 0, 0};
 
 // Returns the corner with the least height; if several have it, the first by triangle and corner.
 Corner find_lowest(const MeshShape& shape, const Heights& heights, QueryMemory& memory);
 
-// Returns true if a vertex of a triangle has a height of at most zero. Cheaper than find_lowest().
+// Returns true if a vertex of a triangle has a height of at most zero. This test is cheaper than find_lowest().
 bool reaches_plane(const MeshShape& shape, const Heights& heights, QueryMemory& memory);
 
 }  // namespace ecods::half_spaces

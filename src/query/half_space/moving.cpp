@@ -1,4 +1,4 @@
-// Answers casts of bodies between poses against half spaces that are translated or at rest.
+// Casts bodies that move from pose to pose against half spaces that are translated or at rest.
 //
 // The height of each vertex is then linear in time, because N does not change. Let c = r |N|, where r is the radius of
 // a rounded body, and otherwise 0. A vertex with the height h0 > c at the start and h1 <= c at the end reaches the
@@ -26,17 +26,18 @@ namespace ecods {
 namespace half_spaces {
 namespace {
 
-// This factor covers the roundings of a quotient, of its divisor, and of the factor itself, in any rounding mode.
+// The factor 1 + slack covers the roundings of a quotient, of its divisor, and of the factor itself, in any rounding
+// mode.
 constexpr double slack = 0x1p-50;
 
-// Returns bounds of a height above c. One step outwards covers a rounding, and the 2^-600 that bounds of heights have
-// (heights.hpp) a number that is flushed.
+// Returns bounds of h - c from bounds of h and c. One step outwards covers a rounding. A number flushed to zero is
+// covered by the 2^-600 that bounds of heights include (heights.hpp).
 HeightBounds above(const HeightBounds& h, const HeightBounds& c) noexcept {
     return {next_down(h.low - c.high), next_up(h.high - c.low)};
 }
 
-// TimeBounds are a lower and an upper bound of the time, for heights above c. If bounds of heights are infinite, they
-// may be NaN, and then prove nothing.
+// TimeBounds are a lower and an upper bound of the time at which a vertex reaches the height c. If bounds of heights
+// are infinite, the bounds of the time may be NaN, and then prove nothing.
 struct TimeBounds {
     TimeBounds(const HeightBounds& h0, const HeightBounds& h1) noexcept {
         const double from = std::max(h0.low, 0.0), until = std::min(h1.high, 0.0);
@@ -68,7 +69,7 @@ class MovingHeights {
           reach_(has_radius() ? start_plane_.times_length(radius) : HeightBounds{0, 0}) {}
 
     // Returns the corner that reaches the height c first, and its time; of equal real times, the first by name. At the
-    // start, all corners must be higher.
+    // start, all corners must be higher than c.
     std::optional<FirstCorner> find_first(QueryMemory& memory) const {
         std::vector<Memory::Candidate>& candidates = Memory::of(memory).candidates;
         candidates.clear();
@@ -97,7 +98,7 @@ class MovingHeights {
         return first;
     }
 
-    // Return the sign of the time less `latest`, and the time, rounded once.
+    // Return the sign of (time of the corner - `latest`), and the time, rounded once.
     int compare(const FirstCorner& first, double latest) const {
         return first.quotient ? exact::compare(first.quotient->ref(), latest)
                               : exact::compare(first.root, exact::ScaledInteger(latest));
@@ -139,7 +140,7 @@ std::optional<FirstContact> cast_moving(const Moving<Body>& body, const MeshShap
     }
     Asking asking(ask);
     const Ask in_memory(asking.memory());
-    // At the start, the cast by no translation says if the two share a point, and where.
+    // A cast by a zero translation finds a point that body and half space share at the start.
     if (const auto at_start = cast(Posed<Body>(*body.what, body.from), Vec3::Zero(),
                                    Posed<HalfSpace>(*half_space.what, half_space.from), 0, in_memory)) {
         return at_start;

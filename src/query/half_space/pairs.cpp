@@ -1,4 +1,5 @@
-// Answers questions about two half spaces. Two half spaces share a point unless their normals are opposed.
+// Implements the functions of solid.hpp for two half spaces. Two half spaces share a point unless their normals are
+// opposed.
 //
 // With N2 = -(b / a) N1 for a, b > 0, the sets N1 . x <= F1 and N2 . x <= F2 are N1 . x <= F1 and N1 . x >= -F2 a / b.
 // So they are apart if the gap -(F1 b + F2 a) is positive, and their distance is then gap / (b |N1|). Translations by
@@ -49,13 +50,13 @@ class TwoPlanes {
     bool have_one_direction() const noexcept { return direction_ > 0; }
 
     // Returns the gap between opposed half spaces, which is negative if they overlap. If the normals have the same
-    // direction, returns how far the second plane is beyond the first one. The gap is a multiple of the distance: the
+    // direction, returns the signed gap from the first plane to the second. The gap is a multiple of the distance: the
     // squared distance is gap^2 / square.
     const ScaledInteger& gap() const noexcept { return gap_; }
     const ScaledInteger& square() const noexcept { return square_; }
     bool are_apart() const noexcept { return are_opposed() && gap_.sign() > 0; }
 
-    // Return by how much a translation of the first, or second, half space from one point to another reduces the gap.
+    // Return the amount by which the gap shrinks if the first, or second, half space is translated by `to` - `from`.
     ScaledInteger closed_by_first(const Vec3& from, const Vec3& to) const {
         return (first_.along(to) - first_.along(from)) * size2_;
     }
@@ -63,7 +64,8 @@ class TwoPlanes {
         return (second_.along(to) - second_.along(from)) * size1_;
     }
 
-    // Returns the first contact, if the gap is reduced by `closed` in the time from 0 to 1.
+    // Returns the first contact up to the time `latest` if the gap shrinks by `closed` in the time from 0 to 1;
+    // otherwise nullopt.
     std::optional<FirstContact> meet(const ScaledInteger& closed, double latest) const {
         FirstContact contact{0, ClosestKind::intersecting, half_spaces::plane_feature, half_spaces::plane_feature};
         if (!are_apart()) return contact;

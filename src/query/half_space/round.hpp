@@ -9,8 +9,8 @@
 namespace ecods::half_spaces {
 
 // Returns length / sqrt(square) + more, rounded once; at least 2^-1074 in magnitude unless it is 0. square must be
-// positive, and a sum of squares, so that its exponent is even. Widths: heights are polynomials of degree 5 in doubles,
-// so their digits are from 2^-5370 to below 2^5130; squares of normals have degree 6, and those of two half spaces 12,
+// positive, and a sum of squares, so that its exponent is even. Heights are polynomials of degree 5 in doubles, so
+// their digits are from 2^-5370 to below 2^5130; squares of normals have degree 6, and those of two half spaces 12,
 // with fewer than divisor_limbs limbs.
 double round_ratio(const exact::ScaledInteger& length, const exact::ScaledInteger& square,
                    const exact::ScaledInteger& more = {});

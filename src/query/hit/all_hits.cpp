@@ -8,8 +8,8 @@
 namespace ecods {
 
 struct AllHits::State {
-    // An Item is a hit, its place among the hits of its body with the same parameter, and the position of its exact
-    // parameter in `limbs`: from `begin` on, the numerator and then the denominator.
+    // An Item is a hit, the hit's rank among the hits of the same body with the same parameter, and the position of the
+    // exact parameter in `limbs`: from `begin` on, the numerator and then the denominator.
     struct Item {
         KeyedHit hit;
         std::size_t place;
@@ -34,7 +34,7 @@ struct AllHits::State {
         return {all.subspan(item.begin, item.num_size), all.subspan(item.begin + item.num_size, item.den_size)};
     }
     // Returns the order of the real parameters of a and b. Compares rounded parameters first: rounding is monotone, so
-    // if these differ, the real parameters have the same order.
+    // if the rounded parameters differ, the real parameters have the same order.
     int compare(const Item& a, const Item& b) const noexcept {
         const std::int64_t x = key_of(a.hit.hit.parameter), y = key_of(b.hit.hit.parameter);
         if (x != y) return x < y ? -1 : 1;

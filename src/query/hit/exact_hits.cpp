@@ -12,8 +12,8 @@ LongFraction long_fraction(const exact::Fraction& x) {
     return {{x.num.limbs(), false}, {x.den.limbs(), false}};
 }
 
-// Returns the order of the real parameters. Compares rounded parameters first: rounding is monotone, so if these
-// differ, the real ones have the same order.
+// Returns the order of the real parameters of hits x and y. Compares rounded parameters first: rounding is monotone, so
+// if the rounded parameters differ, the real ones have the same order.
 int compare_enter(const ExactHit& x, const ExactHit& y) {
     const std::int64_t a = key_of(x.hit.parameter), b = key_of(y.hit.parameter);
     return a != b ? (a < b ? -1 : 1) : compare(x.enter, y.enter);

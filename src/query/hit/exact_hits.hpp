@@ -26,7 +26,8 @@ struct ExactHit {
     LongFraction enter, leave;
 };
 
-// Returns the hits of all triangles of the surface, ascending by real parameter, then by triangle. Their ranks are set.
+// Returns the hits of all triangles of the surface, ascending by real parameter, then by triangle. The ranks of the
+// hits are set.
 std::vector<ExactHit> exact_hits(const Line& line, const Posed<MeshShape>& body, QueryMemory& memory);
 
 }  // namespace ecods

@@ -26,10 +26,11 @@ class BodySearch {
         faces_.start({.at_most = limit});
     }
 
-    // Returns an upper bound of the scaled parameter of the least hit, of this body and of the bodies asked earlier.
+    // Returns an upper bound of the scaled parameter of the least hit of this body and of all earlier bodies.
     double parameter_limit() const noexcept { return faces_.bound(); }
 
-    // Makes the walk try this triangle first. If floats exclude all triangles, the triangle is not tried at all.
+    // Makes the walk test `triangle` before all others. If floats exclude all triangles, `triangle` is not tested at
+    // all.
     void try_first(std::uint32_t triangle) noexcept { waiting_ = triangle; }
 
     void walk(LineAxes::Place place) {
@@ -61,7 +62,8 @@ class BodySearch {
     void visit(std::uint32_t triangle) { visit(triangle, triangles_[triangle]); }
     void visit(std::uint32_t triangle, const Triangle& vertices);
 
-    // Drops faces whose hits doubles prove not to be the first. Call it when all triangles have been visited.
+    // Drops faces whose hits doubles prove not to be the first. Call this function when all triangles have been
+    // visited.
     void settle();
     // If the only candidate is a face, and its hit can be rounded cheaply, sets `hit` to this hit and returns true.
     // Otherwise returns false.
@@ -79,7 +81,7 @@ class BodySearch {
     void take_upper(double upper, std::uint32_t triangle) noexcept {
         if (faces_.take_upper(upper, {triangle, 0})) set_ratio();
     }
-    // Tries the waiting triangle, and records it in tried_, so that the walk will skip it.
+    // Tests the waiting triangle, and stores it in tried_, so that the walk will skip this triangle.
     void try_waiting() {
         if (waiting_ == none) return;
         tried_ = std::exchange(waiting_, none);
@@ -115,8 +117,8 @@ class BodySearch {
     // or the two of an edge; `none` if it is not known.
     std::array<std::uint32_t, 2> shared_{none, none};
     // Names the two vertices of an edge along which the line runs from the entry point on; `none` if no such edge is
-    // known. Some triangle of this edge shares nothing else with the line. If memory.own is a hit along an edge, it is
-    // that edge.
+    // known. Some triangle of this edge shares nothing else with the line. If memory.own is a hit along an edge, along_
+    // names that edge.
     std::array<std::uint32_t, 2> along_{none, none};
 };
 
@@ -143,7 +145,7 @@ void BodySearch::decide(std::uint32_t triangle, const Triangle& vertices, const 
     take_upper(upper, triangle);
 }
 
-// Makes memory.other, the hit of this triangle, the least hit memory.own, unless an earlier hit is less.
+// Makes memory.other, the hit of `triangle`, the least hit memory.own, unless an earlier hit is less.
 void BodySearch::keep_least(std::uint32_t triangle, const Triangle& corners) noexcept {
     const int order = least_ == none ? -1 : compare(memory_.other->enter.ref(), memory_.own->enter.ref());
     if (order > 0) return;
@@ -178,8 +180,8 @@ std::uint32_t find_edge(const Triangle& corners, const std::array<std::uint32_t,
     return 3;
 }
 
-// Makes this triangle the one with the least hit. Call it only if the triangle is hit at the parameter of the least hit
-// so far.
+// Makes `triangle` the triangle of the least hit if its index is less. The line must hit `triangle` at the parameter of
+// the least hit so far.
 void BodySearch::take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept {
     least_ = triangle;
     memory_.own->feature = feature;
@@ -219,7 +221,7 @@ bool BodySearch::ties_along(std::uint32_t triangle, const Triangle& corners) noe
 
 void BodySearch::settle() {
     faces_.drop();
-    // Floats may leave several faces; doubles separate most of them.
+    // Doubles exclude most of the faces that floats leave open.
     if (faces_.open().size() + (least_ != none) < 2) return;
     for (HitMemory::FaceSieve::Open& face : faces_.open()) {
         ++counts_.enclosures;

@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// Calls add(triangle, hit) for each triangle that is hit, with the exact points that it shares with the line. Its limit
-// excludes no part of the line.
+// HitCollector calls add(triangle, hit) for each triangle that is hit, with the exact points that the triangle shares
+// with the line. The collector's limit excludes no part of the line.
 template <class Add>
 class HitCollector {
   public:

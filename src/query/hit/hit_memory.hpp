@@ -25,8 +25,8 @@ struct HitMemory final : QueryMemoryPart {
         double lower, upper;
         Triangle vertices;
     };
-    // The sieve stores FaceHits. At the end they are compared exactly, together with hits of edges and vertices, so the
-    // sieve needs no values.
+    // The sieve stores FaceHits. At the end the FaceHits are compared exactly, together with hits of edges and
+    // vertices, so the sieve needs no values.
     using FaceSieve = Sieve<FaceHit, std::monostate>;
 
     LineAxes axes;
@@ -35,17 +35,17 @@ struct HitMemory final : QueryMemoryPart {
     FaceSieve faces;
     StepRegion steps;  // region on the body to which the members are bound
     std::array<exact::LineHit, 3> hits;
-    // These point to the least hit of all bodies, the least hit of the current body, and the hit of the current
-    // triangle.
+    // `best`, `own` and `other` point to the least hit of all bodies, the least hit of the current body, and the hit of
+    // the current triangle.
     exact::LineHit *best = &hits[0], *own = &hits[1], *other = &hits[2];
 
     static HitMemory& of(QueryMemory& memory) {
         return QueryMemoryAccess::part<HitMemory>(memory, &QueryMemoryAccess::State::hit);
     }
 
-    // Prepares all members for a line and a body, which both must outlive their use. Numbers that depend on the body
-    // alone are kept if the body is the same as before. Returns where the line, up to the scaled parameter `limit`, is
-    // relative to the body.
+    // Prepares all members for a line and a body, which must both outlive each use of the members. Numbers that depend
+    // on the body alone are kept if the body is the same as before. Returns where the line, up to the scaled parameter
+    // `limit`, is relative to the body.
     LineAxes::Place bind(const Line& line, const ScaledLine& scaled, double limit, const Posed<MeshShape>& body) {
         const MeshTree& tree = MeshShapeAccess::tree(*body.what);
         const exact::BodyRef ref{&body.what->mesh(), &tree.extent, &body.pose};
@@ -94,7 +94,7 @@ inline HitKind kind_of(const exact::LineHit& hit) noexcept {
     return hit.facing < 0 ? HitKind::front : hit.facing > 0 ? HitKind::back : HitKind::face;
 }
 
-// Converts a hit of the line with `triangle`; each number of the result is rounded once.
+// Returns an exact hit of the line with `triangle` as a Hit, each number of which is rounded once.
 inline Hit rounded(const Line& line, const exact::LineHit& hit, std::uint32_t triangle) noexcept {
     Hit result;
     result.kind = kind_of(hit);

@@ -35,21 +35,21 @@ class FirstHit {
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;
 
-    // Asks one more body; keys may come in any order. Tries the triangle witness.b before others. If the body has the
-    // least hit so far, sets witness.b to the triangle that is hit.
+    // Searches one more body for a lesser hit; keys may be in any order. Tests the triangle witness.b before others. If
+    // the body has the least hit so far, sets witness.b to the triangle that is hit.
     void ask(const Posed<MeshShape>& body, std::uint64_t key, PairWitness& witness);
     void ask(const Posed<MeshShape>& body, std::uint64_t key);
 
-    // Asks the body about the given triangles only. They must include all triangles that the line may hit. `memory`
-    // must already be bound to the body.
+    // Searches the given triangles of the body for a lesser hit. The given triangles must include all that the line may
+    // hit. `memory` must already be bound to the body.
     void ask_about(std::span<const std::uint32_t> triangles, const Posed<MeshShape>& body, std::uint64_t key,
                    PairWitness& witness);
 
     // Offers a hit that the caller found in another way. Its real parameter must be exactly `hit.parameter`.
     void offer(const Hit& hit, std::uint64_t key);
 
-    // Calls ask(), which may be a search of its own in the same memory, and returns its result. Such a search may
-    // overwrite the least hit there, so the least hit is saved and put back.
+    // Calls ask(), which may be another search in the same memory, and returns the result of ask(). That search may
+    // overwrite the least hit in the memory, so the least hit is saved before and restored afterwards.
     template <class Function>
     auto beside(const Function& ask) {
         const Kept least = keep();
@@ -58,8 +58,8 @@ class FirstHit {
         return result;
     }
 
-    // Returns an upper bound of the parameter of the least hit; infinity if nothing is known. The caller need not ask
-    // bodies whose boxes the line meets only beyond this parameter.
+    // Returns an upper bound of the parameter of the least hit; infinity if nothing is known. The caller need not
+    // search bodies whose boxes the line meets only beyond this parameter.
     double limit() const noexcept { return scaled_.unscaled_above(limit_); }
 
     bool found() const noexcept { return found_; }

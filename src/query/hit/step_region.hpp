@@ -1,8 +1,8 @@
 // StepRegion serves a segment that moves in small steps: it gathers the leaves of one body near the segment's path once
 // for many steps.
 //
-// It changes the work but no answer. A segment within the region is tested against every triangle of the region that it
-// may hit; for any other segment the caller walks the tree.
+// A StepRegion saves work, and no result depends on it. A segment within the region is tested against every triangle of
+// the region that the segment may hit; for any other segment the caller walks the tree.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace ecods {
 
 class StepRegion {
   public:
-    // Forgets the region and the last segment. Call it if the body or its pose changes.
+    // Deletes the region and the last segment. Call this function if the body or its pose changes.
     void forget() noexcept {
         leaves_.clear();
         has_last_ = false;
@@ -32,9 +32,9 @@ class StepRegion {
     }
     NearLeaves& leaves() noexcept { return leaves_; }
 
-    // Stores a segment that is not within the region as the last one. If it has moved little since the segment before,
-    // gathers a new region around it and its path ahead. If the previous region served few segments, waits for some
-    // segments first.
+    // Stores a segment that is not within the region as the last one. If the segment has moved little since the one
+    // before, gathers a new region around the segment and its path ahead. If the previous region served few segments, a
+    // new region is gathered only some segments later.
     void follow(const Line& segment, const MeshBvh& tree, const LineAxes& axes, std::uint64_t& box_tests) noexcept {
         if (leaves_.is_ready()) {
             leaves_.clear();

@@ -1,5 +1,4 @@
-// Declares the questions of hit.hpp about the surface of a body: all triangles of its mesh, whatever form its shape
-// has.
+// Declares the functions of hit.hpp for the surface of a body: all triangles of the body's mesh, for any form of shape.
 #pragma once
 
 #include <optional>

@@ -73,8 +73,8 @@ ECODS_ALWAYS_INLINE Double4 sums_of(Double4 a, Double4 b, Double4 c, Double4 d) 
 
 }  // namespace
 
-// Encloses the hit in doubles. The line begins at 0; the corners p, q and r, the direction d and the normal n are as in
-// exact/measure/line/line_hit.hpp.
+// Sets `result` to what doubles prove about the points that the line shares with the triangle. The line begins at 0;
+// the corners p, q and r, the direction d and the normal n are as in exact/measure/line/line_hit.hpp.
 //
 // Bound. u' = 2^-52 bounds the relative error of one operation in any rounding mode, and delta the error of a corner's
 // coordinate. E_i is the largest coordinate of a corner on axis i. The error of d is `d_error`. The factor `slack`, 1 +

@@ -41,11 +41,12 @@ class TriangleHits {
     // Returns true if the line shares a point with the triangle, and then sets `hit`.
     bool find(const Triangle& triangle, exact::LineHit& hit);
 
-    // Sets `hit` to the only shared point. Call it only if enclose() has proven that the line crosses the triangle
-    // inside its face.
+    // Sets `hit` to the only point that the line and the triangle share. Call this function only if enclose() has
+    // proven that the line crosses the triangle inside its face.
     void find_crossing(const Triangle& triangle, exact::LineHit& hit);
-    // Sets `crossing` to the only shared point with rounded numbers, and returns true. Returns false if this is not
-    // possible cheaply. Call it only if enclose() has proven that the line crosses the triangle inside its face.
+    // Sets `crossing` to the only point that the line and the triangle share, in rounded numbers, and returns true.
+    // Returns false if fixed precision does not decide the roundings. Call this function only if enclose() has proven
+    // that the line crosses the triangle inside its face.
     bool round_crossing(const Triangle& triangle, exact::RoundedCrossing& crossing);
 
   private:

@@ -49,8 +49,8 @@ void sort_fan(PointSigns& signs, PointSigns::Point p, PointSigns::Point q, std::
         return signs.orient3d(p, q, x.apex, y.apex) > 0;
     };
     std::sort(wings.begin(), wings.end(), is_before);
-    // Replaces the half of each wing by the number of its direction. `half` is the half of the previous wing, whose
-    // `group` has already been overwritten.
+    // Replaces the half-turn in `group` of each wing by the number of the wing's direction. `half` is the half-turn of
+    // the previous wing, whose `group` has already been overwritten.
     std::uint32_t group = 0, half = wings[0].group;
     for (std::size_t i = 1; i < wings.size(); ++i) {
         const bool is_next = wings[i].group != half || ((half == first_half || half == second_half) &&

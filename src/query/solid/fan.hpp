@@ -40,9 +40,9 @@ struct Wing {
 };
 
 // Sorts wings by angle around the line from p to q, beginning in the direction of the first wing, and sets their
-// groups. Let w0 be the apex of the first wing. The sign of orient3d(p, q, w0, w) says in which half-turn an apex w is.
-// If it is 0, w is in the plane of p, q and w0; it is on the same side of the line as w0 if orient2d(p, q, w) has the
-// sign of orient2d(p, q, w0). Within a half-turn, the sign of orient3d(p, q, w, w') orders w and w'.
+// groups. Let w0 be the apex of the first wing. The sign of orient3d(p, q, w0, w) determines the half-turn of an apex
+// w. If the sign is 0, w is in the plane of p, q and w0, and on the same side of the line as w0 if orient2d(p, q, w)
+// has the sign of orient2d(p, q, w0). Within a half-turn, the sign of orient3d(p, q, w, w') orders w and w'.
 void sort_fan(PointSigns& signs, PointSigns::Point p, PointSigns::Point q, std::vector<Wing>& wings);
 
 }  // namespace ecods

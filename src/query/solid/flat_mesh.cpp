@@ -85,7 +85,7 @@ class Cover {
           triangles_(proper.mesh->triangles()),
           points_(proper.mesh->vertices()) {}
 
-    // Returns the flat set that the triangles cover; nullopt if they cover none.
+    // Returns the flat convex set that the triangles cover; nullopt if the triangles cover no such set.
     std::optional<FlatMesh> find() {
         std::vector<std::uint32_t> used;
         std::vector<std::uint8_t> is_used(points_.size(), 0);
@@ -141,7 +141,7 @@ class Cover {
     }
 
     // Returns true if no side occurs twice, and the sides that no triangle has in the other direction go once around
-    // the polygon. Names the edges. `sides` must be sorted by their ends.
+    // the polygon. Sets the names of the polygon's edges. `sides` must be sorted by the ends of each side.
     bool goes_around(const std::vector<Side>& sides, const VertexSigns& signs, int axis) {
         std::vector<const Side*> next(points_.size(), nullptr);
         std::size_t left = 0;
@@ -169,7 +169,8 @@ class Cover {
         return left == 0;
     }
 
-    // Returns true if the triangles, each a segment or a point, cover the segment or point `cycle`. Names the edge.
+    // Returns true if the triangles, each a segment or a point, cover the segment or point `cycle`. Sets the edge's
+    // name.
     bool is_joined() {
         const auto is_less = [&](std::uint32_t p, std::uint32_t q) {
             return compare_points(points_[p], points_[q]) < 0;

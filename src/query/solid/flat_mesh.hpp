@@ -39,10 +39,10 @@ struct FlatMesh {
     bool is_polygon() const noexcept { return cycle.size() > 2; }
 };
 
-// Returns the set if the mesh covers a flat convex one; otherwise nullopt. The triangles of positive area must tile a
-// convex polygon edge to edge: each side of one is a side of exactly one other or lies on the polygon's border. If no
-// triangle has an area, the triangles must cover a segment or be one point. Exact. Cost: n log n for a flat mesh; some
-// passes over the triangles for any other mesh.
+// Returns the flat convex set that the mesh covers; nullopt if the mesh covers no such set. The triangles of positive
+// area must tile a convex polygon edge to edge: each side of a triangle is a side of exactly one other triangle or lies
+// on the polygon's border. If no triangle has an area, the triangles must cover a segment or be one point. Exact. Cost:
+// n log n for a flat mesh; some passes over the triangles for any other mesh.
 std::optional<FlatMesh> find_flat(const ProperMesh& proper);
 
 }  // namespace ecods

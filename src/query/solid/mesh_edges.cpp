@@ -27,8 +27,8 @@ struct LooseEnd {
     SideRef side;
 };
 
-// LineOrder orders the lines through a vertex `at` by direction. First, each direction is turned so that its first
-// nonzero coordinate is positive. Then lines are ordered by the axis of that coordinate, and then by slope.
+// LineOrder orders the lines through a vertex `at` by direction. Each direction is negated if its first nonzero
+// coordinate is negative. Then lines are ordered by the axis of that coordinate, and then by slope.
 class LineOrder {
   public:
     explicit LineOrder(std::span<const Vec3> vertices) : vertices_(vertices) {}

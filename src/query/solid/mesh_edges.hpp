@@ -28,7 +28,8 @@ class MeshEdges {
   public:
     MeshEdges() = default;
 
-    // Throws InvalidMesh if there are too many sides for 32-bit indices. Cost: some passes over the triangles.
+    // Groups the sides of the triangles that have an area. Throws InvalidMesh if there are too many sides for 32-bit
+    // indices. Cost: some passes over the triangles.
     explicit MeshEdges(const ProperMesh& proper);
 
     std::size_t count() const noexcept { return first_.empty() ? 0 : first_.size() - 1; }

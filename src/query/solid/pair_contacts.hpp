@@ -1,4 +1,4 @@
-// PairContacts finds how triangles of two posed meshes meet, in the detail that questions about solids need.
+// PairContacts computes the contacts of triangles of two posed meshes, in the detail that relations of solids need.
 #pragma once
 
 #include "ecods/intersection.hpp"
@@ -12,8 +12,8 @@ class PairContacts {
     // `frame` must be bound to two bodies and outlive this object.
     PairContacts(exact::Frame& frame, StageCounts& counts);
 
-    // Returns the contact of triangle a of the first body with triangle b of the second; b must have an area. It is
-    // decided by the cheapest stage that can, as in query/intersection/triangle_relations.cpp.
+    // Returns the contact of triangle a of the first body with triangle b of the second; b must have an area. The
+    // cheapest stage that decides the contact returns it, as in query/intersection/triangle_relations.cpp.
     exact::TriangleContact contact(const Triangle& a, const Triangle& b);
 
   private:

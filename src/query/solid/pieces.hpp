@@ -13,7 +13,7 @@ namespace ecods {
 // vertices a triangle, vertices with equal coordinates count as one vertex.
 class VertexPieces {
   public:
-    // Works in `parents`, which must outlive this object.
+    // Stores the union-find parents in `parents`, which must outlive this object.
     VertexPieces(const Mesh& mesh, std::vector<std::uint32_t>& parents);
 
     void join(const Triangle& corners);

@@ -25,8 +25,8 @@ std::size_t hash_of(const Vec3& v) noexcept {
     return combine(combine(coordinate_bits(v[0]), coordinate_bits(v[1])), coordinate_bits(v[2]));
 }
 
-// AreaFilter proves that triangles have an area, with one error bound for all points of a mesh. This succeeds for most
-// triangles, so they need no bound of their own.
+// AreaFilter proves that triangles have an area, with one error bound for all points of a mesh. The proof succeeds for
+// most triangles, so few triangles need a bound of their own.
 class AreaFilter {
   public:
     explicit AreaFilter(std::span<const Vec3> vertices) noexcept : bounds_(exact::own_bounds(vertices).orient2d) {}
@@ -42,7 +42,8 @@ class AreaFilter {
 
 }  // namespace
 
-// Uses a hash table with linear probing that maps coordinates to the first vertex that has them.
+// Returns the least equal vertices, by a hash table with linear probing that maps coordinates to the first vertex with
+// the same coordinates.
 std::vector<std::uint32_t> least_equals(std::span<const Vec3> vertices) {
     const std::size_t size = std::bit_ceil(2 * vertices.size());
     std::vector<std::uint32_t> table(size, no_vertex);

@@ -11,9 +11,9 @@
 namespace ecods {
 
 struct ProperMesh {
-    // Is the given mesh, or a copy in which each corner is replaced by the least vertex with the same coordinates.
+    // Holds the given mesh, or a copy in which each corner is replaced by the least vertex with the same coordinates.
     std::shared_ptr<const Mesh> mesh;
-    // Says, by triangle, if its area is positive. It is empty if all areas are positive.
+    // Has an entry for each triangle: true if its area is positive. The list is empty if all areas are positive.
     std::vector<std::uint8_t> has_area;
 
     bool is_proper(std::size_t triangle) const noexcept { return has_area.empty() || has_area[triangle] != 0; }
@@ -33,9 +33,9 @@ ProperMesh find_proper(std::shared_ptr<const Mesh> mesh);
 // Returns true if the three points are not on one line. Exact.
 bool have_area(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
 
-// Compares points by x, then y, then z; the result is negative, zero or positive. So points of one line are ordered
-// along the line. Coordinates are compared by their bits, so a floating-point mode that treats subnormals as zero
-// changes nothing.
+// Returns the order of two points by x, then y, then z, as a negative number, zero or a positive number. So points of
+// one line are ordered along the line. Coordinates are compared by their bits, so a floating-point mode that treats
+// subnormals as zero changes nothing.
 int compare_points(const Vec3& a, const Vec3& b) noexcept;
 
 }  // namespace ecods

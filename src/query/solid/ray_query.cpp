@@ -51,7 +51,8 @@ std::uint32_t RayQuery::axes_across(std::size_t of, const Triangle& triangle) {
     });
 }
 
-// Decides only if no sign is zero. Then all points infinitely near to `from` have the same signs, and the same answer.
+// Returns the filter's Answer for the ray and the triangle; `open` if a sign is zero. If no sign is zero, all points
+// infinitely near to `from` have the same signs, so the Answer holds for all of them.
 RayQuery::Answer RayQuery::filter(std::uint32_t triangle, VertexRef from, RayDirection ray) {
     if (doubles_are_exact()) return Answer::open;
     const Triangle& corners = triangle_at(body_, triangle);
@@ -144,7 +145,8 @@ Side RayQuery::side_beside(VertexRef p, VertexRef q, VertexRef r) {
 
 namespace {
 
-// If the feature is one, and precedes place.on in the order of kinds, triangles and corners, stores it in place.on.
+// Stores the feature of the triangle that contains the point in place.on, if there is such a feature and it precedes
+// place.on in the order of kinds, triangles and corners.
 void note(const PointFeature& feature, std::uint32_t triangle, RayQuery::Place& place) {
     using Kind = PointFeature::Kind;
     if (feature.kind == Kind::none) return;

@@ -53,12 +53,12 @@ class RayQuery {
     // The points p, q and r may be equal. The result Side::on names no feature.
     Side side_beside(exact::VertexRef p, exact::VertexRef q, exact::VertexRef r);
 
-    // Returns the place of a point for a body without inner points, under any pose, also a singular one. `has_area`
-    // says which of the body's triangles count: all if it is empty.
+    // Returns the place of a point relative to a body without inner points, under any pose, also a singular one. Only
+    // triangles with an entry in `has_area` count; all count if `has_area` is empty.
     Place flat_place_of(exact::VertexRef point, std::span<const std::uint8_t> has_area);
 
   private:
-    // Says what the filter proves about a ray and a triangle; `open` if it proves nothing.
+    // An Answer is what the filter proves about a ray and a triangle; `open` if the filter proves nothing.
     enum class Answer : std::uint8_t { misses, crosses, open };
 
     RayOrigin origin_of(exact::VertexRef point) const;

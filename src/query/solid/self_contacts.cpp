@@ -139,9 +139,9 @@ class SelfContacts {
                    : Answer::open;
     }
 
-    // Filters two triangles with one common corner. This corner is in the other triangle's plane, so its sign is set to
-    // 0, whatever doubles give. The comparison of two edges along the line of both planes has the sign 0 if both edges
-    // end in the common corner.
+    // Filters two triangles with one common corner. This corner is in the other triangle's plane, so the corner's sign
+    // is set to 0, independent of doubles. The comparison of two edges along the line of both planes has the sign 0 if
+    // both edges end in the common corner.
     static Answer filter_across_vertex(const Pair& pair, double bound) {
         const auto [i, j] = pair.common_corner();
         const auto others_of = [bound](const PlaneSides& sides, std::size_t corner, Sides& signs) {

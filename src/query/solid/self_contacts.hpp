@@ -1,5 +1,5 @@
-// Finds how the triangles of a proper mesh meet each other, in the mesh's own coordinates. `tree` must be the tree of
-// the mesh from which `proper` was made.
+// Finds the pairs of triangles of a proper mesh that meet in more than common sides or corners, in the mesh's
+// coordinates. `tree` must be the tree of the mesh from which `proper` was made.
 #pragma once
 
 #include <optional>

@@ -27,7 +27,8 @@ class ShellFinder {
         for (std::uint32_t i = 0; i < count; ++i) {
             if (!proper_.is_proper(i) || shells_.of_triangle[i] != no_shell) continue;
             shells_.first.push_back(i);
-            // The triangle's normal points to the region above it. If that region is inside, the triangle faces in.
+            // The triangle's normal points to the region above the triangle. If that region is inside, the triangle
+            // faces in.
             take(i, rays.is_inside_above(i));
             while (!open_.empty()) {
                 const std::uint32_t next = open_.back();
@@ -47,7 +48,7 @@ class ShellFinder {
         open_.push_back(triangle);
     }
 
-    // Returns true if the sector just after the side's triangle is inside, provided that the triangle's corners turn
+    // Returns true if the sector just after the side's triangle is inside the solid, for a triangle whose corners turn
     // left seen from outside, so that its normal points out. A turn around the edge, seen from the lesser vertex to the
     // greater one, passes the sectors. If the side begins at the lesser vertex, the normal points in the direction of
     // the turn, so the sector after the triangle is outside.
@@ -56,8 +57,8 @@ class ShellFinder {
         return corners[0] > corners[1];
     }
 
-    // Adds the other triangles of an edge to the shell. Around the edge the sectors are outside and inside in turn;
-    // this determines for each triangle whether it faces in.
+    // Adds the other triangles of an edge to the shell. Around the edge the sectors are outside and inside in turn,
+    // which determines for each triangle whether it faces in.
     void cross_edge(const SideRef& from) {
         const auto sides = edges_.sides(edges_.edge_of(from));
         const bool wanted = inside_after(from) != (shells_.faces_in[from.triangle] != 0);

@@ -1,4 +1,4 @@
-// SolidMemory is the scratch memory of the questions about solids.
+// SolidMemory is the scratch memory of relations of solids and surfaces.
 #pragma once
 
 #include <array>

@@ -23,29 +23,29 @@ struct SolidBoundary {
 };
 
 struct Solid::Parts {
-    // Has the triangles that bound the solid. They have the indices of the solid's mesh unless edges were split.
+    // Has the triangles that bound the solid, with the indices of the solid's mesh unless edges were split.
     ProperMesh proper;
     MeshEdges edges;
-    // Names, by triangle of proper.mesh, the triangle of the solid's mesh that contains it as a piece. It is empty if
-    // no edges were split.
+    // Names, for each triangle of proper.mesh, the triangle of the solid's mesh of which it is a piece. The list is
+    // empty if no edges were split.
     std::vector<TriangleOrigin> origins;
-    // Is the shape of proper.mesh if edges were split; otherwise null, because the solid's own tree is the tree of
+    // Holds the shape of proper.mesh if edges were split; otherwise null, because the solid's own tree is the tree of
     // proper.mesh.
     std::unique_ptr<const MeshShape> split_shape;
-    // Is the result of prove_star(), from which the shells are made; empty if prove_star() proved nothing.
+    // Holds the result of prove_star(), from which the shells are made; empty if prove_star() proved nothing.
     std::vector<std::uint8_t> star_faces_in;
     Lazy<Shells> shells;
-    // Says, by triangle of the solid's mesh, if the triangle is a part of the boundary, because its area is positive.
-    // The list is empty if all triangles are parts of the boundary.
+    // Has an entry for each triangle of the solid's mesh: true if the triangle is a part of the boundary, because its
+    // area is positive. The list is empty if all triangles are parts of the boundary.
     std::vector<std::uint8_t> has_area;
-    // Is the flat set if the solid is flat, so that it has no interior; otherwise null. If it is set, only `proper` and
-    // `has_area` of the members above are set. All triangles of a segment or a point are parts of its boundary.
+    // Holds the flat set if the solid is flat, and so has no interior; otherwise null. If `flat` is set, only `proper`
+    // and `has_area` of the members above are set. All triangles of a segment or a point are parts of its boundary.
     std::unique_ptr<const FlatMesh> flat;
     Lazy<std::shared_ptr<const MeshShape>> surface;
     Lazy<SolidBoundary> boundary;
 };
 
-// Gives the library access to the parts of a Solid.
+// SolidAccess gives the library access to the parts of a Solid.
 struct SolidAccess {
     using Parts = Solid::Parts;
 

@@ -24,7 +24,7 @@ using namespace exact;
 namespace {
 
 // SolidSearch finds which of the regions `in_both`, `in_a_only` and `in_b_only` two posed solids have, and whether
-// their surfaces touch. README.md proves that this suffices for the relation.
+// their surfaces touch. README.md proves that the regions and the touching determine the relation.
 class SolidSearch {
   public:
     // Both poses must be regular.
@@ -100,7 +100,7 @@ class SolidSearch {
         if (found.kind == ContactKind::point) return;
         const Part a{0, i, found.first}, b{1, j, found.second};
         if (a.is_face() && b.is_face()) {
-            // Around a segment in which two faces cross, all regions occur.
+            // All three regions occur around a segment in which two faces cross.
             regions_ = all_regions;
             return;
         }
@@ -166,7 +166,7 @@ class SolidSearch {
         }
     }
 
-    // Adds the region of each sector between wings. Goes once around the line, beginning with the first sector.
+    // Adds the region of each sector between two wings, in one turn around the line that begins with the first sector.
     void read_sectors() {
         const std::vector<Wing>& wings = memory_.wings;
         std::array<bool, 2> is_inside{};
@@ -226,9 +226,9 @@ bool has_shell_inside(const Solid& solid, const SurfaceAt& a, const SurfaceAt& b
     });
 }
 
-// Relates two solids if at least one of the poses is singular. The image of a solid under a singular matrix is the
-// image of its surface, so it has no inner point. Proof: on a line that is mapped to one point, an inner point is
-// between two points of the surface.
+// Returns the relation of two solids if at least one of the poses is singular. The image of a solid under a singular
+// matrix is the image of its surface, so it has no inner point. Proof: on a line that is mapped to one point, an inner
+// point is between two points of the surface.
 Relation flat_relation(const Posed<Solid>& a, const Posed<Solid>& b, QueryMemory& memory) {
     ++QueryMemoryAccess::state(memory).counts.queries;
     const SurfaceAt surface_a(a), surface_b(b);

@@ -29,7 +29,7 @@ class Splitter {
     explicit Splitter(const ProperMesh& proper)
         : triangles_(proper.mesh->triangles()), vertices_(proper.mesh->vertices()) {}
 
-    // Records cuts of each of the two sides, at the ends of the other side that are inside it.
+    // Stores a cut for each end of one side that is inside the other side.
     void add(const EdgeOverlap& overlap) {
         add_ends(overlap.a, overlap.b);
         add_ends(overlap.b, overlap.a);
@@ -81,8 +81,8 @@ class Splitter {
     }
 
     // Divides a triangle at the vertices inside its sides. Appends the pieces to `result`, and their origins to
-    // `origins`. For a side with such vertices, the triangle is cut from the opposite corner to each of them. The first
-    // and the last piece each have one of the other two sides, which are divided later.
+    // `origins`. For a side with vertices inside it, the triangle is cut from the opposite corner to each of these
+    // vertices. The first and the last piece each have one of the other two sides, which are divided later.
     static void divide(std::uint32_t triangle, Part whole, std::vector<Triangle>& result,
                        std::vector<TriangleOrigin>& origins) {
         std::vector<Part> open;

@@ -67,8 +67,8 @@ class StarProof {
         return std::ranges::any_of(std::array{0, 1, 2}, [&](int axis) { return is_met_once(axis); });
     }
 
-    // Returns by triangle: true if its corners turn right, seen from outside. Call it only after find() has returned
-    // true.
+    // Returns a list with an entry for each triangle: true if its corners turn right, seen from outside. Call this
+    // function only after find() has returned true.
     std::vector<std::uint8_t> take_sides() noexcept { return std::move(is_above_); }
 
   private:
@@ -111,7 +111,8 @@ class StarProof {
         return bounds_.orient3d < infinite_bound;
     }
 
-    // Finds, for each triangle, the side of its plane on which the origin is. Returns false if a side is not certain.
+    // Sets is_above_, by triangle, to the side of its plane on which the origin is. Returns false if a side is not
+    // certain.
     bool are_planes_off_origin() {
         is_above_.assign(triangles_.size(), 0);
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -125,8 +126,8 @@ class StarProof {
     }
 
     // Returns true if an edge with these sides fulfils condition (1). Consider the sign of orient3d(lesser vertex,
-    // greater vertex, third corner, origin). If the side begins at its lesser vertex, it is the sign of
-    // orient3d(triangle's corners, origin); otherwise it is the opposite sign.
+    // greater vertex, third corner, origin). If the side begins at its lesser vertex, this sign is that of
+    // orient3d(triangle's corners, origin); otherwise it is the opposite one.
     bool is_seen_between(std::span<const SideRef> sides) const {
         if (sides.size() != 2) return false;
         const auto is_third_above = [&](const SideRef& side) {
@@ -148,9 +149,9 @@ class StarProof {
         return count == 1;
     }
 
-    // Returns whether the half-line along the axis meets the interior of triangle i. Projected along the axis, the
-    // corners turn left or right by the sign of the normal's component n. If the line meets the interior at o + t e,
-    // then t n is minus the height of o above the plane. So t > 0 if n and the height have different signs.
+    // Returns the Hit of the half-line along the axis: whether it meets the interior of triangle i. Projected along the
+    // axis, the corners turn left or right by the sign of the normal's component n. If the line meets the interior at o
+    // + t e, then t n is minus the height of o above the plane. So t > 0 if n and the height have different signs.
     Hit hit_of(std::size_t i, int axis) const {
         const auto t = corners(i);
         for (const int k : {(axis + 1) % 3, (axis + 2) % 3}) {

@@ -23,8 +23,8 @@ using namespace exact;
 
 namespace {
 
-// SurfaceSearch finds on which sides of a posed solid's boundary a surface has points. README.md proves that the places
-// which it examines suffice.
+// SurfaceSearch finds the sides of a posed solid's boundary on which a surface has points. README.md proves that the
+// places examined here suffice.
 class SurfaceSearch {
   public:
     // The pose of the solid must be regular, and the axes in the memory must be bound to both trees.
@@ -54,8 +54,8 @@ class SurfaceSearch {
     }
 
   private:
-    // A Contact says what a triangle of the surface shares with the solid's boundary: nothing; only isolated points; or
-    // more. In the last case, the sides beside the shared set have been noted.
+    // A Contact classifies what a triangle of the surface shares with the solid's boundary: nothing; only isolated
+    // points; or more, and then the sides beside the shared set have been stored.
     enum Contact : std::uint8_t { none, at_points, looked_at };
 
     // Returns true at the first call for triangle i and this vertex or edge of the solid, so that each pair is examined
@@ -89,9 +89,9 @@ class SurfaceSearch {
         }
     }
 
-    // Marks the set that coplanar triangles i and j share, and notes no side. If a region of triangle i ends at
-    // coplanar triangles of the solid, it also ends at triangles of the solid that are not coplanar; the pairs of
-    // triangle i with these note the side of the region.
+    // Sets the Contact of triangle i, which is coplanar with triangle j, and stores no side. If a region of triangle i
+    // ends at coplanar triangles of the solid, the region also ends at triangles of the solid that are not coplanar;
+    // the pairs of triangle i with the latter store the side of the region.
     void take_coplanar(std::uint32_t i, std::uint32_t j) {
         enum class Shared { nothing, points, face, no_area };
         const Shared shared = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)), [](auto& signs) {
@@ -123,9 +123,9 @@ class SurfaceSearch {
         note((side > 0) == faces_in ? Side::inside : Side::outside);
     }
 
-    // Notes on which sides of the solid triangle i has points beside `edge`, with which it shares a segment. `side` is
-    // the triangle's side along the edge; or TriangleContact::face if the edge passes through the triangle's interior,
-    // and then both halves of the triangle are noted.
+    // Stores the sides of the solid on which triangle i has points beside `edge`, with which triangle i shares a
+    // segment. `side` is the triangle's side along the edge; or TriangleContact::face if the edge passes through the
+    // triangle's interior, and then the sides of both halves of the triangle are stored.
     void look_beside_edge(std::uint32_t i, int side, const SideRef& edge) {
         const MeshEdges& edges = SolidAccess::parts(solid_).edges;
         if (!is_new(i, 2 * std::uint64_t{edges.edge_of(edge)})) return;
@@ -147,7 +147,7 @@ class SurfaceSearch {
     }
 
     // Processes triangle i if it is a segment or a point. The boundary divides a segment into pieces; a piece begins at
-    // the segment's first end, at an edge that the segment crosses, or at a vertex. Notes the side of each piece.
+    // the segment's first end, at an edge that the segment crosses, or at a vertex. Stores the side of each piece.
     void take_flat(std::uint32_t i, std::uint32_t j) {
         const FlatContact found = with_signs(memory_.frame, corners_of(triangle(i), boundary_triangle(j)),
                                              [](auto& signs) { return flat_contact(signs); });
@@ -172,8 +172,9 @@ class SurfaceSearch {
         }
     }
 
-    // Notes the sides of triangles that share no segment with the boundary. Triangles that share no point with it, and
-    // are connected over corners, form a piece, which is on one side of the boundary: one ray decides for each piece.
+    // Stores the sides of triangles that share no segment with the boundary. Triangles that share no point with the
+    // boundary, and are connected over corners, form a piece, which is on one side of the boundary: one ray decides the
+    // side of each piece.
     void place_triangles() {
         const auto all = surface_.body.mesh->triangles();
         VertexPieces pieces(*surface_.body.mesh, memory_.parents);

@@ -22,8 +22,7 @@ struct SurfaceAt {
     bool has(std::uint32_t triangle) const noexcept { return proper == nullptr || proper->is_proper(triangle); }
 };
 
-// Returns true if the boxes of the two trees are certainly apart. Otherwise the axes of `state` are bound to both
-// trees.
+// Returns true if the boxes of the two trees are certainly apart. If not, the axes of `state` are bound to both trees.
 bool are_boxes_apart(const SurfaceAt& a, const SurfaceAt& b, QueryMemoryAccess::State& state);
 
 // Binds a frame to both bodies. If both have the same pose, the frame uses the coordinates of the meshes, without the
