@@ -12,8 +12,8 @@
 
 namespace ecods::exact {
 
-// The unit is m * 2^e with m odd; m = 0 as long as only zeros were included. The greatest common divisor of numbers m_i
-// * 2^e_i with odd m_i is gcd(m_i) * 2^min(e_i).
+// A CommonUnit is m * 2^e with m odd; m = 0 as long as only zeros were included. The greatest common divisor of numbers
+// m_i * 2^e_i with odd m_i is gcd(m_i) * 2^min(e_i).
 struct CommonUnit {
     std::uint64_t m = 0;
     int e = 0;

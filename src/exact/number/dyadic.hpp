@@ -1,5 +1,5 @@
-// A Dyadic is a double as an integer times a power of two. It is read from the double's bits, without floating-point
-// instructions.
+// A Dyadic is a double as an integer times a power of two. The integer and the power are read from the double's bits,
+// without floating-point instructions.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace ecods::exact {
 
-// Holds the number m * 2^e: m is odd, or m = 0 and e = 0. |m| < 2^53, -1074 <= e <= 971.
+// A Dyadic is the number m * 2^e: m is odd, or m = 0 and e = 0. |m| < 2^53, -1074 <= e <= 971.
 struct Dyadic {
     std::int64_t m = 0;
     int e = 0;
@@ -40,7 +40,7 @@ constexpr std::uint64_t magnitude(std::int64_t m) noexcept {
 }
 
 // A BitRange is the range of binary digits that some numbers have: all are multiples of 2^low, and below 2^high in
-// magnitude. It is empty as long as only zeros were included.
+// magnitude. The range is empty as long as only zeros were included.
 struct BitRange {
     static constexpr int none = 1 << 20;
     int low = none;
@@ -66,7 +66,7 @@ struct BitRange {
     }
 };
 
-// Holds m * 2^e, the difference of two doubles.
+// A DyadicDifference is m * 2^e, the difference of two doubles.
 struct DyadicDifference {
     Int128 m = 0;
     int e = 0;

@@ -14,8 +14,8 @@
 namespace ecods::exact {
 namespace {
 
-// Returns the greatest double that is at most m 2^e, where m is not zero and e >= -1074, and sets is_exact if the two
-// are equal. Beyond the largest double, returns the largest double.
+// Returns the greatest double that is at most m 2^e, where m is not zero and e >= -1074, and sets is_exact to true if
+// the result equals m 2^e. Beyond the largest double, returns the largest double.
 double round_down(NaturalSpan m, int e, bool& is_exact) noexcept {
     const int width = bit_width(m), drop = std::max(width - mantissa_bits, 0);
     std::uint64_t kept = 0;

@@ -13,7 +13,7 @@ namespace ecods::exact {
 
 class ExactSum {
   public:
-    // Make the sum 0, and the sum x, which must be finite.
+    // Set the sum to 0, or to x, which must be finite.
     ExactSum() noexcept = default;
     ExactSum(double x);
 
@@ -23,8 +23,8 @@ class ExactSum {
     ExactSum operator-() const;
 
     int sign() const noexcept { return sign_; }  // -1, 0 or 1
-    // Returns the greatest double that is at most the sum, and the least double that is at least the sum. Beyond the
-    // largest double, one of them is infinite.
+    // Returns the greatest double that is at most the sum, and the least double that is at least the sum. If the sum is
+    // beyond the largest double, one of the two is infinite.
     double lower() const noexcept { return lower_; }
     double upper() const noexcept { return upper_; }
     bool is_double() const noexcept { return is_double_; }  // then lower() and upper() are the sum

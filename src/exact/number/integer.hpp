@@ -24,9 +24,9 @@ class Integer {
         size_ = small_[1] != 0 ? 2 : small_[0] != 0 ? 1 : 0;
         is_negative_ = x < 0;
     }
-    // Converts a magnitude and a sign.
+    // Makes the integer with the given magnitude, negated if `is_negative`.
     Integer(NaturalSpan magnitude, bool is_negative) { assign(magnitude, is_negative); }
-    // Converts an integer in two's complement.
+    // Makes the integer x, given in two's complement.
     template <std::size_t L>
     explicit Integer(const std::array<std::uint64_t, L>& x) {
         const Magnitude<static_cast<int>(L)> m = magnitude<static_cast<int>(L)>(x);
@@ -44,7 +44,7 @@ class Integer {
     }
     ~Integer() = default;
 
-    // Returns -1, 0 or 1.
+    // Returns the sign of the integer: -1, 0 or 1.
     int sign() const noexcept { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
     bool is_zero() const noexcept { return size_ == 0; }
 
@@ -52,7 +52,7 @@ class Integer {
     // empty and bit_width() is 0.
     NaturalSpan limbs() const noexcept { return {data(), size_}; }
     int bit_width() const noexcept { return exact::bit_width(limbs()); }
-    // Returns the number of zero bits at the low end of the magnitude. Must not be called for zero.
+    // Returns the number of zero bits at the low end of the magnitude. The integer must not be zero.
     int trailing_zeros() const noexcept;
 
     Integer operator-() const&;
@@ -77,7 +77,7 @@ class Integer {
 
     const std::uint64_t* data() const noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
     std::uint64_t* data() noexcept { return capacity_ == small_limbs ? small_.data() : large_.get(); }
-    // Makes space for `size` limbs. Their values are undefined afterwards.
+    // Allocates space for `size` limbs, whose values are undefined afterwards.
     void reserve(std::size_t size) {
         if (size <= capacity_) return;
         large_ = std::make_unique_for_overwrite<std::uint64_t[]>(size);

@@ -32,8 +32,8 @@ constexpr int determinant_bits(int k) {
     return 3 * k + 6;
 }
 
-// Computes determinants by the types of Arithmetic: Number (a coordinate), Difference (of two Numbers), Minor (a
-// product of Differences minus another one), and Sum (of products of a Difference and a Minor).
+// DeterminantKernel computes determinants with the types of Arithmetic: Number (a coordinate), Difference (of two
+// Numbers), Minor (a product of Differences minus another one), and Sum (of products of a Difference and a Minor).
 template <class Arithmetic>
 class DeterminantKernel {
   public:
@@ -116,11 +116,12 @@ struct WordArithmetic {
     static bool is_zero(const Minor& minor) noexcept { return exact::sign(minor) == 0; }
 };
 
-// Coordinates of OneLimbKernel have up to 60 bits and a sign, and of TwoLimbKernel up to 123 bits and a sign.
+// OneLimbKernel has coordinates of up to 60 bits and a sign, and TwoLimbKernel coordinates of up to 123 bits and a
+// sign.
 using OneLimbKernel = DeterminantKernel<WordArithmetic<std::int64_t, Int128, 64, 60>>;
 using TwoLimbKernel = DeterminantKernel<WordArithmetic<Int128, Int256, 128, 123>>;
 
-// LimbArithmetic has integers of L limbs for coordinates. These have up to 64 L - 3 bits and a sign.
+// LimbArithmetic has integers of L limbs for coordinates, which have up to 64 L - 3 bits and a sign.
 template <int L>
 struct LimbArithmetic {
     static constexpr int limb_count = L;

@@ -14,8 +14,8 @@ namespace ecods::exact {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Uint128;
 
-// bit_width and trailing_zeros do for 128 bits what std::bit_width and std::countr_zero do for 64; the standard
-// functions need not support 128 bits. trailing_zeros must not be called for zero.
+// bit_width and trailing_zeros are std::bit_width and std::countr_zero for 128 bits, which the standard functions need
+// not support. trailing_zeros must not be called for zero.
 constexpr int bit_width(Uint128 x) noexcept {
     const auto high = static_cast<std::uint64_t>(x >> 64);
     return static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(x)));
@@ -36,8 +36,8 @@ inline constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 template <int L>
 using Limbs = std::array<std::uint64_t, static_cast<std::size_t>(L)>;
 
-// Magnitude<L> is an integer as sign and magnitude. `negative` is 0 or all_ones, so it can be used as a bit mask. For
-// zero it may be either.
+// Magnitude<L> is an integer as sign and magnitude. `negative` is 0 or all_ones, and serves as a bit mask; for the
+// number zero, `negative` may be either.
 template <int L>
 struct Magnitude {
     Limbs<L> limbs;
@@ -75,8 +75,8 @@ inline Magnitude<L> magnitude(const Limbs<L>& a) noexcept {
     return result;
 }
 
-// Products with more than this number of pairs of limbs are functions of their own. Inlined and unrolled at each call,
-// they were a tenth of the library's code and of its compile time.
+// inlined_products_max is the greatest number of pairs of limbs of a product that is inlined. Longer products, inlined
+// and unrolled at each call, were a tenth of the library's code and of its compile time.
 inline constexpr int inlined_products_max = 16;
 
 template <int A, int B>
@@ -97,8 +97,8 @@ template <int A, int B>
     multiply_into<A, B>(product, a, b);
 }
 
-// Returns a * b, which always fits. Zero limbs of `a` are skipped if it has more than four, because long numbers often
-// have leading zeros.
+// Returns a * b, which always fits. If `a` has more than four limbs, its zero limbs are skipped, because long numbers
+// often have leading zeros.
 template <int A, int B>
 inline Limbs<A + B> multiply(const Limbs<A>& a, const Limbs<B>& b) noexcept {
     Limbs<A + B> product{};
@@ -117,7 +117,7 @@ inline bool is_zero(const Limbs<L>& a) noexcept {
     return any == 0;
 }
 
-// Returns -1, 0 or 1: the sign of a.
+// Returns the sign of a: -1, 0 or 1.
 template <int L>
 inline int sign(const Limbs<L>& a) noexcept {
     return (a[L - 1] >> 63) ? -1 : !is_zero<L>(a);

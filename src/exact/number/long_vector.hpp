@@ -1,5 +1,5 @@
-// A LongVector has integer coordinates of any length; a ScaledLongVector, integers times powers of two. They serve
-// where an exact result is needed once, not in a search.
+// A LongVector has integer coordinates of any length; a ScaledLongVector, integers times powers of two. Both are used
+// for an exact result that is needed once, not in a search.
 #pragma once
 
 #include <array>

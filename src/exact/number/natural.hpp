@@ -14,7 +14,7 @@
 
 namespace ecods::exact {
 
-// Refers to the limbs of a natural number without its leading zero limbs; zero has no limbs.
+// A NaturalSpan refers to the limbs of a natural number without its leading zero limbs; zero has no limbs.
 using NaturalSpan = std::span<const std::uint64_t>;
 
 inline NaturalSpan without_leading_zeros(NaturalSpan limbs) noexcept {

@@ -13,8 +13,8 @@ void require_size(const std::string& part, double value) {
     if (!is_finite(value) || key_of(value) <= 0) throw invalid_size(part, value);
 }
 
-// Halves the number by its bits: the exponent becomes one less; a subnormal number, and the least normal ones, lose
-// their last digit, which must be 0.
+// Returns half of the number, computed from its bits: the exponent becomes one less; a subnormal number, and the least
+// normal ones, lose their last digit, which must be 0.
 double require_half(const std::string& part, double value) {
     require_size(part, value);
     constexpr std::uint64_t exponent_one = std::uint64_t{1} << 52;

@@ -1,4 +1,4 @@
-// Checks the numbers that builders are given.
+// Checks the numbers that callers pass to builders.
 #pragma once
 
 #include <cstdint>

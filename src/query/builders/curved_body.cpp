@@ -42,7 +42,7 @@ class IntegerBody {
         });
     }
 
-    // Holds num / den^2, the square of the largest factor by which a vertex is outside the last part.
+    // Factor holds num / den^2, the square of the largest factor by which a vertex is outside the last part.
     struct Factor {
         Integer num, den = Int128{1};
     };
@@ -119,7 +119,7 @@ bool contains(const Mesh& polytope, const CurvedBody& body) {
 double deviation(const Mesh& polytope, const CurvedBody& body) {
     const auto [num, den] = IntegerBody(polytope, body).largest_factor();
     const Dyadic longest = exact::decode(std::ranges::max(body.back().radii, {}, key_of));
-    // Uses that (rho - 1) m <= x if and only if m^2 num <= (x + m)^2 den^2.
+    // The condition (rho - 1) m <= x, with rho^2 = num / den^2, holds if and only if m^2 num <= (x + m)^2 den^2.
     return least_double([&](double value) {
         const Dyadic x = exact::decode(value);
         const int unit = x.m == 0 ? longest.e : std::min(x.e, longest.e);

@@ -1,5 +1,5 @@
-// A CurvedBody is the set that a polytope must contain. Exact integers decide whether the polytope contains it, and
-// bound how far the polytope extends beyond it.
+// A CurvedBody is the set that a polytope must contain. Exact integers decide whether the polytope contains the body,
+// and bound the distance of the polytope's points from the body.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // Builds polytopes around curved bodies. A polytope of vertices on the unit circle or sphere is scaled until it
 // contains the circle or sphere; its vertices are multiplied by the radii and rounded; and exact signs decide whether
-// the hull of these points contains the body. If it does not, because coordinates were rounded inwards, the scale
-// grows.
+// the hull of these points contains the body. If the hull does not contain the body, because coordinates were rounded
+// inwards, the scale grows.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -56,9 +56,9 @@ int digit_count(const CurvedPart& part) noexcept {
 // Returns the first polytope that contains the body, for growing scales. points_at(scale) must return its vertices. At
 // the first scale, the unit polytope must contain the unit circle or sphere, except for a few units.
 //
-// There is such a scale. Rounding moves a coordinate by at most half of a unit in the last place, and so by at most
-// half of the radius. So relative to the radii, the hull's extent along any axis is less than that of the unit polytope
-// by at most sqrt(3) / 2. The last scale is 5 times the first one. Claim: verify/proofs/outer_polytopes.md
+// Some scale suffices. Rounding moves a coordinate by at most half of a unit in the last place, and so by at most half
+// of the radius. So relative to the radii, the hull's extent along any axis is less than that of the unit polytope by
+// at most sqrt(3) / 2. The last scale is 5 times the first one. Claim: verify/proofs/outer_polytopes.md
 template <class PointsAt>
 Circumscribed grow(Int128 scale, const CurvedBody& body, const PointsAt& points_at) {
     const int digits = digit_count(body.back());

@@ -39,9 +39,9 @@ std::vector<std::size_t> distinct_points(std::span<const Vec2> polygon) {
 
 // Throws InvalidArgument unless the polygon is convex, or all of its points are on one line.
 //
-// A closed polygon that never turns right, or never turns left, is convex if it goes around once. Each time around, its
-// sides change twice between ascending and descending in lexicographic order. Sides that go back on their line change
-// in the same way.
+// A closed polygon that never turns right, or never turns left, is convex if it goes around once. In each turn around
+// the polygon, its sides change twice between ascending and descending in lexicographic order. Sides that go back on
+// their line change in the same way.
 void require_convex(std::span<const Vec2> polygon) {
     const std::vector<std::size_t> kept = distinct_points(polygon);
     const auto point = [&](std::size_t k) { return polygon[kept[k % kept.size()]]; };

@@ -35,7 +35,7 @@ std::vector<double> positions(std::size_t count, const Vec2& spacing, int axis) 
     return result;
 }
 
-// FieldMesh makes the mesh of a height field, and on demand that of the solid below it.
+// FieldMesh makes the mesh of a height field, and on demand the mesh of the solid below the field.
 class FieldMesh {
   public:
     FieldMesh(std::span<const double> heights, std::size_t columns, const Vec2& spacing)
@@ -96,7 +96,7 @@ class FieldMesh {
         // Adds a fan around the left end of row 1; its last triangle has the right end of row 0.
         for (std::uint32_t v = first; v < right; ++v) triangles_.push_back({left(1), v + 1, v});
         if (last == 1) {
-            // Adds the other half of the only strip, as a fan around the right end of row 0.
+            // Adds the second half of the bottom's only strip, as a fan around the right end of row 0.
             for (std::uint32_t v = right + 1; v < left(1); ++v) triangles_.push_back({right, v + 1, v});
             return;
         }

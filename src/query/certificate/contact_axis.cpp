@@ -13,8 +13,8 @@ using exact::Integer;
 
 namespace {
 
-// Rounds 2^-e v to doubles, where e is such that the largest coordinate is at least 1/2 and below 1. The error is less
-// than 2^-51.
+// Returns 2^-e v, rounded to doubles, with e such that the largest coordinate is at least 1/2 and below 1. Each
+// coordinate is off by less than 2^-51.
 Vec3 in_doubles(const exact::LongVector& v) {
     int width = 0;
     for (const Integer& x : v) width = std::max(width, x.bit_width());
@@ -33,9 +33,9 @@ constexpr double near_share = 0x1p-18;
 
 }  // namespace
 
-// Error bound `margin`: n in doubles is off by 2^-51 on each axis, and each point of the body is at most size +
-// origin_size from the origin of coordinates. The plane is computed from a corner of the body, so it has the errors of
-// any other point.
+// `margin` is derived as follows: n in doubles is off by 2^-51 on each axis, and each point of the body is at most size
+// + origin_size from the origin of coordinates. The plane is computed from a corner of the body, so the plane has the
+// errors of any other point.
 ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners, const ExactPoints& points,
                          const std::array<BodyFrame, 2>& bodies)
     : axis(named_axis), points_(points), n_(vector_of(axis.formula, corners)) {
@@ -72,7 +72,7 @@ ContactAxis::ContactAxis(const ProofAxis& named_axis, const SixCorners& corners,
     }
 }
 
-// Returns two sets of lanes: the lanes that are certainly inside, and other lanes that may be inside.
+// Returns two sets of lanes of x: the lanes that are certainly inside, and other lanes that may be inside.
 template <class X>
 std::array<std::uint32_t, 2> ContactAxis::classify(const Half& half, const X& x) const {
     if (!half.axis.is_bounded) return {0, x.lanes()};

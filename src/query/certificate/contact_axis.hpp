@@ -1,11 +1,11 @@
-// A ContactAxis is the axis of two triangles, one of each body, that are in contact or closest to each other. It
-// decides which boxes and triangles of the bodies this axis proves apart.
+// A ContactAxis is the axis of two triangles, one of each body, that are in contact or closest to each other. The
+// ContactAxis decides which boxes and triangles of the bodies the axis proves apart.
 //
 // A box of a is called inside if it is not beyond a's triangle along the axis; a box of b, if it is not before b's
 // triangle. Along the axis, a box of a that is inside is at least as far from each box of b that is inside as the two
-// triangles are from each other. So one axis line proves all pairs of boxes of two faces that lie flush on each other,
-// and all triangles that share the closest features. Bounds in doubles decide most boxes; near the planes, integers
-// decide vertex by vertex. Each decision is cached.
+// triangles are from each other. So one axis in the proof separates all pairs of boxes of two faces that lie flush on
+// each other, and all triangles that share the closest features. Bounds in doubles decide most boxes; near the planes,
+// integers decide vertex by vertex. Each decision is cached.
 #pragma once
 
 #include <array>

@@ -4,7 +4,8 @@ namespace ecods {
 
 using namespace exact;
 
-// Binds a body, with coordinates relative to the origin, as the points of a segment have them.
+// Binds a body, whose points are then relative to the world's origin, like the points of a segment. Returns the range
+// of digits of the coordinates.
 BitRange ExactPoints::bind(std::size_t body, const BodyRef& of) noexcept {
     meshes_[body] = of.mesh;
     terms_[body].set(*of.pose, Vec3::Zero());

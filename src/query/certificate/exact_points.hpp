@@ -1,5 +1,4 @@
-// Represents posed vertices, and points of a segment, by integers of any length. The integers count multiples of one
-// power of two.
+// ExactPoints computes posed vertices, and points of a segment, as integers of any length in units of one power of two.
 #pragma once
 
 #include <array>
@@ -34,7 +33,7 @@ class ExactPoints {
     exact::LongVector vertex(std::size_t body, std::uint32_t index) const {
         return terms_[body].point_in<exact::Integer>(unit_, meshes_[body]->vertices()[index]);
     }
-    // Returns from + s (to - from).
+    // Returns the point from + s (to - from) of the segment.
     exact::LongVector on_segment(const Segment& segment, const Parameter& s) const;
 
   private:

@@ -69,10 +69,10 @@ class LineProof {
     std::vector<Axis> axes_;
 };
 
-// Projects the piece of the segment from `from` to from + s (to - from) onto n. Bound of the second point: two products
-// each have the errors of a difference, of the rounded parameter and of a product, and there are two sums. This is
-// below 8 u' (|from| + |to|) on each axis. Products with n add 4 u'.
-// Claim: verify/proofs/lines_and_times.py
+// Projects the piece of the segment from `from` to from + s (to - from) onto n, s being `parameter_`. The second point
+// has two products, each with the errors of a difference, of the rounded parameter and of a product, and two sums: with
+// u' = 2^-52, it is off by less than 8 u' (|from| + |to|) on each axis. Products with n add 4 u'. Claim:
+// verify/proofs/lines_and_times.py
 LineProof::Axis LineProof::bind(const Vec3& n) const {
     Axis axis;
     axis.n = n;
@@ -94,7 +94,8 @@ void LineProof::add_axes() {
     for (int k = 0; k < 3; ++k) axes_.push_back(bind(shortened(shortened(direction).cross(shortened(normals.col(k))))));
 }
 
-// Adds the opening of a node or leaf x to the proof. Returns the lanes of x that no axis proves apart from the piece.
+// Adds the opening of a node or leaf x of the body's tree to the proof. Returns the lanes of x that no axis proves
+// apart from the piece.
 template <class X>
 std::uint32_t LineProof::open(const X& x) {
     std::uint32_t left = x.lanes();

@@ -9,8 +9,9 @@
 
 namespace ecods {
 
-// Writes to `proof` that the piece of the segment from parameter 0 to `end` meets no triangle. Call it only if this is
-// true. If the very end of the piece may touch triangles, `apart` must be half_open, otherwise strictly.
+// Writes to `proof` that the piece of the segment from parameter 0 to `end` meets no triangle. Call this function only
+// if the piece meets no triangle. If the last point of the piece may touch triangles, `apart` must be half_open;
+// otherwise strictly.
 void prove_line(const Posed<MeshShape>& body, const Segment& segment, const Parameter& end, ApartBy apart,
                 Proof& proof);
 

@@ -1,8 +1,8 @@
 // A PairAxis compares boxes or triangles of two posed trees along an axis, eight with eight: in floats, and in doubles
-// where floats fail.
+// if floats do not prove a pair apart.
 //
-// A test in floats takes a third of the time of a test in doubles. It proves the same, unless a gap exceeds the
-// required one by less than about 2^-19 of the bodies' size.
+// A test in floats takes a third of the time of a test in doubles. It proves the same pairs apart, except pairs whose
+// gap exceeds the required one by less than about 2^-19 of the bodies' size.
 //
 // With p, q and the errors of both trees (body_axis.hpp), a point of a has the coordinate p_a . y, and a point of b has
 // p_b . y + q, where q = q_b - q_a. Bound, in floats, with v = 2^-23 for one operation in any rounding mode: let S =
@@ -40,7 +40,7 @@ struct PairAxis {
     Proof::Word named = Proof::no_axis;
 };
 
-// Returns the axis n. Along it, boxes are proven apart if their gap exceeds `distance`.
+// Returns the PairAxis along n, which proves two boxes apart if their gap exceeds `distance`.
 PairAxis pair_axis(const BodyFrame& a, const BodyFrame& b, const Vec3& n, double distance);
 
 // Bounds p . y on a node's slab, for an axis p that is nearly parallel to the slab's normal: p . y = slope (normal . y)
@@ -52,7 +52,8 @@ struct SlabEnds {
     float high = std::numeric_limits<float>::infinity();
 };
 
-// Returns the ends of the slab on the axis. `of_tree` must be axis.a or axis.b, whichever belongs to the slab's tree.
+// Returns the ends of a node's slab on the axis. `of_tree` must be axis.a or axis.b, whichever belongs to the slab's
+// tree.
 SlabEnds slab_ends(const PairAxis& axis, const BodyAxis& of_tree, const Slab& slab) noexcept;
 
 // Returns the pairs that are certainly apart: bit 8 i + j stands for lane i of x and lane j of y. Only pairs whose j

@@ -8,7 +8,7 @@
 namespace ecods {
 namespace {
 
-// `is_leaf_beside_node` is true if x is a leaf and y a node. Then the leaf is not opened: it is tested as one box, with
+// `is_leaf_beside_node` is true if x is a leaf and y a node. Then the leaf is not opened, but tested as one box with
 // all its triangles.
 template <class X, class Y>
 inline constexpr bool is_leaf_beside_node = std::is_same_v<X, TreeLeaf>&& std::is_same_v<Y, BvhNode>;
@@ -18,17 +18,17 @@ std::size_t part_count(const X& x, const Y&) {
     return is_leaf_beside_node<X, Y> ? 1 : x.count;
 }
 
-// A slab's normal has coordinates of this many bits. To be worth an axis line, a slab must prove at least slab_min
-// pairs in a step.
+// slab_bits is the number of bits of the coordinates of a slab's normal. A slab's axis is added to the proof only if it
+// proves at least slab_min pairs in a step.
 constexpr int slab_bits = 12;
 constexpr int slab_min = 2;
-// If at least this many pairs of triangles of two leaves are open, an axis is tried exactly.
+// ties_min is the number of open pairs of triangles of two leaves from which on an axis is tried exactly.
 constexpr int ties_min = 4;
-// An axis is tried exactly only if the triangles' distance exceeds the claimed one by at most this share of the body's
-// size.
+// tie_share limits exact trials of axes: the triangles' distance must exceed the claimed distance by at most this share
+// of the body's size.
 constexpr double tie_share = 0x1p-16;
 
-// After this many pairs of leaves for which only doubles proved anything, doubles are always tried.
+// fine_min is the number of pairs of leaves that only doubles proved apart after which doubles are always tried.
 constexpr int fine_min = 4;
 
 std::uint64_t lanes_of(std::size_t rows, std::size_t columns) {
@@ -51,7 +51,7 @@ template <class X, class Y>
 bool PairProof::try_axis(PairAxis& axis, const X& x, const Y& y, const Trial& trial, std::uint64_t& left) {
     if (axis.margin == std::numeric_limits<double>::infinity()) return false;
     const std::uint64_t mask = apart_mask(axis, x, y, left, trial.is_fine, trial.of_x, trial.of_y);
-    // An axis that is not in the proof yet costs a line of its own there, so it must prove more pairs.
+    // An axis that is not in the proof yet costs a line of its own, so it must prove more pairs.
     const int least = axis.named == Proof::no_axis ? trial.least : 1;
     if (std::popcount(mask & left) < least || !proof_.name({.given = axis.n}, axis.named)) return false;
     left &= ~mask;
@@ -125,7 +125,8 @@ void PairProof::try_features(const TreeLeaf& x, const TreeLeaf& y, std::uint64_t
     if (std::popcount(left) >= ties_min) {
         const auto first = static_cast<std::size_t>(std::countr_zero(left));
         const std::uint32_t i = x.triangle[first / tree_width], j = y.triangle[first % tree_width];
-        // Triangles that are well apart are open only because too few axes were tried.
+        // Two triangles whose distance clearly exceeds the claimed one are no tie: they are open only because too few
+        // axes were tried.
         const bool is_tie = !(pair_.enclose(i, j).lower > least_ + tie_share * bodies_[0].size.sum());
         if (const auto formula = formula_for(i, j); is_tie && formula && add_contact(*formula, i, j))
             try_contact(contacts_.back(), x, y, left);
@@ -174,8 +175,8 @@ void PairProof::try_contact(ContactAxis& contact, const X& x, const Y& y, std::u
     if ((mask & left) != 0 && proof_.name(contact.axis, contact.named)) left &= ~mask;
 }
 
-// Adds the opening of x and y to the proof. Returns the pairs that it leaves open: bit 8 i + j stands for lane i of x
-// and lane j of y.
+// Adds the opening of x and y to the proof. Returns the pairs that the opening leaves open: bit 8 i + j stands for lane
+// i of x and lane j of y.
 template <class X, class Y>
 std::uint64_t PairProof::open(const X& x, const Y& y) {
     const std::size_t columns = part_count(y, x);
@@ -194,8 +195,8 @@ std::uint64_t PairProof::open(const X& x, const Y& y) {
     return left;
 }
 
-// Opens a node or leaf y of body 1 and x of body 0. (In this order, the bits of LanePairs are those of open().) Returns
-// false if two triangles meet or cross, which ends the walk.
+// Opens a pair from the stack: a node or leaf y of body 1 and x of body 0. (In this order, the bits of LanePairs are
+// those of open().) Returns false if two triangles meet or cross, which ends the walk.
 bool PairProof::visit(const NodePair& top) {
     return with_nodes(bodies_[1].tree, bodies_[0].tree, top, [&]<class Y, class X>(const Y& y, const X& x) {
         LanePairs left(open(x, y));
@@ -216,7 +217,8 @@ bool PairProof::visit(const NodePair& top) {
     });
 }
 
-// Adds the axis between the two triangles `closest`, exactly and rounded, to the axes that are tried first.
+// Adds the axis between the two triangles `closest`, as a formula and as a rounded vector, to the axes that are tried
+// first.
 void PairProof::add_first_axes(const TrianglePair& closest, const AxisFormula& formula) {
     add_contact(formula, closest.a, closest.b);
     axes_.push_back(bind(direction_of(closest.a, closest.b)));

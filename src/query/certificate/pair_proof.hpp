@@ -25,8 +25,8 @@ class PairProof {
 
     enum class EndsAt : std::uint8_t { meeting, crossing };
     // Writes the proof and returns nullopt. The claim must be true, except that the bodies may cross, or, if `ends_at`
-    // is meeting, share a point. In these cases returns two triangles that do so, and the proof is unfinished. Axes
-    // between the two triangles `closest` are tried first.
+    // is meeting, share a point. If the bodies do so, returns two triangles that cross or share a point, and the proof
+    // is unfinished. Axes between the two triangles `closest` are tried first.
     std::optional<TrianglePair> run(const std::optional<TrianglePair>& closest, EndsAt ends_at);
 
   private:
@@ -38,8 +38,8 @@ class PairProof {
         PairAxis axis{};
         SlabEnds ends{};
     };
-    // A Trial says how an axis is tried. The axis enters the proof only if it proves at least `least` pairs. If
-    // `is_fine`, doubles test the pairs that floats leave open.
+    // A Trial holds the parameters with which an axis is tried. The axis is added to the proof only if it proves at
+    // least `least` pairs. If `is_fine`, doubles test the pairs that floats leave open.
     struct Trial {
         int least;
         bool is_fine;

@@ -12,7 +12,7 @@ using Kind = AxisFormula::Kind;
 
 constexpr std::size_t contacts_max = 8;
 
-// Returns the corner by which the triangle names the feature; 0 for a face.
+// Returns the corner of the triangle at which the vertex is, or the edge begins; 0 for a face.
 std::uint8_t corner_of(const FeatureKey& feature, std::uint32_t triangle, const Triangle& corners) {
     return static_cast<std::uint8_t>(feature_of(feature, triangle, corners).corner);
 }

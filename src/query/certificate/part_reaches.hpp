@@ -1,5 +1,5 @@
-// Finds the intervals of boxes or triangles of nodes and leaves along an axis, and compares the intervals of two nodes.
-// The error bounds are derived in body_axis.hpp.
+// Computes the intervals of boxes or triangles of nodes and leaves along an axis, and compares the intervals of two
+// nodes. The error bounds are derived in body_axis.hpp.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ struct Reaches {
     }
 };
 
-// Finds intervals in doubles, without adding the axis's error.
+// InDoubles computes intervals of boxes and triangles in doubles, without the axis's error.
 struct InDoubles {
     using Half = Vec<double, 4>;
 

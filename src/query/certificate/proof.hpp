@@ -1,4 +1,4 @@
-// Stores a proof: a list of axes, and its steps as one sequence of words.
+// A Proof holds a list of axes, and the steps of a proof as one sequence of words.
 #pragma once
 
 #include <algorithm>
@@ -29,15 +29,16 @@ struct Proof {
 
     std::vector<ProofAxis> axes;
     // Holds the steps, one after the other. An opening has these words: its kind, the number of axes, the axes, the
-    // number of pairs left open, the open pairs. A pair of triangles has these: the step's kind, the formula's kind, i
-    // and j.
+    // number of pairs left open, the open pairs. A pair of triangles has these words: the step's kind, the formula's
+    // kind, and the formula's i and j.
     std::vector<Word> words;
     std::size_t step_count = 0;
     std::size_t opening = 0;  // index of the last opening's first word
 
     void clear() noexcept { *this = {}; }
 
-    // Begins an opening. Afterwards name() adds its axes, and end_opening() adds the pairs that they leave open.
+    // Begins an opening. Afterwards name() adds the axes of the opening, and end_opening() the pairs that the axes
+    // leave open.
     void begin_opening() {
         opening = words.size();
         words.insert(words.end(), {0, 0});

@@ -18,7 +18,7 @@ struct WorldCertificate::Content {
         Pose pose;
         CollisionFilter filter;
     };
-    // Holds one claim about a pair, or the two claims disjoint and within.
+    // A Pair holds one claim about a pair of bodies, or the two claims disjoint and within.
     struct Pair {
         BodyPair ids;
         Certificate first;

@@ -180,8 +180,8 @@ std::uint32_t find_edge(const Triangle& corners, const std::array<std::uint32_t,
     return 3;
 }
 
-// Makes `triangle` the triangle of the least hit if its index is less. The line must hit `triangle` at the parameter of
-// the least hit so far.
+// Makes `triangle` the triangle of the least hit memory.own, with its feature and corner. The line must hit `triangle`
+// at the parameter of the least hit so far.
 void BodySearch::take_tie(std::uint32_t triangle, Feature::Kind feature, std::uint32_t corner) noexcept {
     least_ = triangle;
     memory_.own->feature = feature;

@@ -94,8 +94,8 @@ QueryCounts& QueryCounts::operator+=(const QueryCounts& other) noexcept {
 
 namespace {
 
-// SpareMemories holds the memories of a thread that no question is using. There may be several, because a question that
-// a caller's test asks within another question may need a memory of its own.
+// SpareMemories holds the memories of a thread that no query is using. There may be several, because a caller's test
+// may start a query within another one, which needs a memory of its own.
 struct SpareMemories {
     std::vector<std::unique_ptr<QueryMemory>> list;
     std::size_t made_count = 0;
@@ -103,8 +103,8 @@ struct SpareMemories {
     ~SpareMemories();
 };
 
-// are_spares_gone is set when the thread's `spares` are destroyed: objects that are destroyed later may still ask
-// questions.
+// are_spares_gone is set when the thread's `spares` are destroyed: destructors of other objects may still start queries
+// later.
 thread_local bool are_spares_gone = false;
 thread_local SpareMemories spares;
 

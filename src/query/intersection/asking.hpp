@@ -1,4 +1,4 @@
-// Defines Asking, which manages the memory, the witness and the counts of a question while it runs.
+// Defines Asking, which manages the memory, the witness and the counts of a query while the query runs.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace ecods {
 
-// An OwnMemory lends a memory to one question: the memory that the calling thread's last question used, or, while that
-// memory is lent to another question, a new one.
+// An OwnMemory lends a memory to one query: the memory that the calling thread's last query used, or, while that memory
+// is lent to another query, a new one.
 class OwnMemory {
   public:
     OwnMemory();
@@ -22,8 +22,8 @@ class OwnMemory {
     std::unique_ptr<QueryMemory> memory_;
 };
 
-// An Asking gives a question its memory and its witness while it runs, and at the end adds the work of the question to
-// ask.counts. `ask` must outlive this object.
+// An Asking provides the memory and the witness of a query while the query runs, and at the end adds the work of the
+// query to ask.counts. `ask` must outlive this object.
 class Asking {
   public:
     explicit Asking(const Ask& ask) : ask_(ask) {
@@ -41,7 +41,7 @@ class Asking {
 
     QueryMemory& memory() noexcept { return ask_.memory != nullptr ? *ask_.memory : own_->get(); }
 
-    // Returns the caller's witness, or, if the caller gave none, an empty witness.
+    // Returns the caller's witness, or, if the caller passed none, an empty witness.
     PairWitness& witness() noexcept { return ask_.witness != nullptr ? *ask_.witness : no_witness_; }
 
   private:

@@ -45,7 +45,8 @@ class Query {
         return state_.pair.relation(i, j);
     }
 
-    // Decides the pair of triangles that the witness names. If a filter suffices, the bodies are not bound.
+    // Returns the relation of the two triangles that the witness names. If a filter decides it, the bodies are not
+    // bound.
     Relation relation_of_witness(const PairWitness& witness) {
         const std::optional<Relation> relation =
             filter_triangles(a().mesh(), witness.a, a().pose, b().mesh(), witness.b, b().pose);
@@ -55,7 +56,8 @@ class Query {
         return *relation;
     }
 
-    // Decides a pair of triangles that the walk visits. `crosses` is true if a filter has proven that the pair crosses.
+    // Returns the relation of triangles i and j, which the walk visits. `crosses` is true if a filter has proven that
+    // the pair crosses.
     Relation relation_of(std::uint32_t i, std::uint32_t j, bool crosses) {
         if (!crosses) return relation_of(i, j);
         ++state_.counts.stages.triangle_tests;
@@ -70,9 +72,9 @@ class Query {
                                 first);
     }
 
-    // Calls ask(a, b) with both bodies in other units, and returns its result, if other units are better; otherwise
-    // returns nullopt. Other units are considered only if floats bound nothing on the axes, as happens near the ends of
-    // the range of doubles. Call it after bind_axes().
+    // Calls ask(a, b) with both bodies in other units, and returns the result of ask(), if other units are better;
+    // otherwise returns nullopt. Other units are considered only if floats bound nothing on the axes, as happens near
+    // the ends of the range of doubles. Call this function after bind_axes().
     template <class Function>
     std::optional<std::invoke_result_t<Function, MeshAt, MeshAt>> ask_in_other_units(QueryMemory& memory,
                                                                                      const Function& ask) {
@@ -87,7 +89,7 @@ class Query {
     }
 
     // Calls visit(i, j, crosses) for pairs of triangles until `visit` returns false. Visits every pair that shares a
-    // point, and some others. `crosses` is true if the pair is known to cross. Call it after bind_axes().
+    // point, and some others. `crosses` is true if the pair is known to cross. Call this function after bind_axes().
     template <class Visit>
     void visit_near_pairs(Visit&& visit) {
         if (!pair_is_bound_) state_.pair.forget_groups();

@@ -13,7 +13,7 @@
 
 namespace ecods {
 
-// An OverlapBound says which pairs a walk skips: pairs of boxes and of triangles that an axis or a plane certainly
+// An OverlapBound makes a walk of two trees skip the pairs of boxes and of triangles that an axis or a plane certainly
 // separates.
 class OverlapBound {
   public:
@@ -31,8 +31,8 @@ class OverlapBound {
     }
 
     // If at least four pairs of children overlap, moves the pair with the nearest centers to the end of `children`,
-    // from where the walk takes the next pair. This helps if bodies overlap deeply: then that pair nearly always
-    // intersects. Only the order of the walk depends on it.
+    // from where the walk takes the next pair. If bodies overlap deeply, the pair with the nearest centers nearly
+    // always intersects. Only the order of the walk depends on order().
     void order(const BvhNode& x, const BvhNode& y, LanePairs pairs, std::span<NodePair> children) const {
         constexpr std::size_t crowd_min = 4;
         if (children.size() < crowd_min) return;

@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// A PlaneBound bounds a walk as OverlapBound does. Once groups are in use, it also skips a pair of nodes if all
-// triangles of each node lie in one plane, and the two planes are parallel with a gap, however small.
+// A PlaneBound makes a walk skip the pairs that OverlapBound skips. Once groups are in use, the walk also skips a pair
+// of nodes if all triangles of each node lie in one plane, and the two planes are parallel with a gap, however small.
 class PlaneBound {
   public:
     // The arguments must outlive this object. `relations` need not be bound to the bodies yet.

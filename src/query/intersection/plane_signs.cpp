@@ -27,7 +27,7 @@ void PlaneSigns::use(Frame& frame, const CoplanarGroups& a, const CoplanarGroups
     turn_ = {};
 }
 
-// Computes the sign on first use, because few pairs of planes need it, and often none.
+// Returns the sign of det R of the body's pose, computed on first use, because often no pair of planes needs it.
 int PlaneSigns::turn(std::size_t body) {
     if (turn_[body] == 0) turn_[body] = is_mirror(frame_->body(body).pose->R) ? -1 : 1;
     return turn_[body];

@@ -1,4 +1,4 @@
-// PlaneSigns finds on which side of a plane, spanned by a triangle of one body, a vertex of the other body lies.
+// PlaneSigns computes the side of a plane, spanned by a triangle of one body, on which a vertex of the other body lies.
 // Integers compute each sign once for a query; then it is cached.
 //
 // Bodies that lie face on face have many pairs of triangles that the filter cannot decide, but few planes. If the
@@ -18,8 +18,8 @@
 
 namespace ecods {
 
-// A NumberMemo is a direct-mapped cache of small numbers by 64-bit keys. Of all keys that are hashed to an entry, the
-// entry holds the one that was used last.
+// A NumberMemo is a direct-mapped cache of small numbers by 64-bit keys. An entry holds the last used one of all keys
+// that are hashed to it.
 class NumberMemo {
   public:
     void clear() noexcept {
@@ -55,7 +55,7 @@ class PlaneSigns {
   public:
     static constexpr std::size_t triangle_count_max = std::size_t{1} << 31;  // of both bodies together; limited by keys
 
-    // Forgets the groups and all cached signs. Cost: constant.
+    // Deletes the groups and all cached signs. Cost: constant.
     void clear() noexcept {
         groups_ = {};
         is_parted_ = false;
@@ -63,13 +63,13 @@ class PlaneSigns {
         sides_.clear();
     }
 
-    // From now on, computes signs. `a` and `b` must be the groups of the frame's two bodies, and outlive this object;
-    // either may be empty. The frame's arithmetic must be one of the integer kinds.
+    // Makes this object compute signs for the bodies of `frame`. `a` and `b` must be the groups of the frame's two
+    // bodies, and outlive this object; either may be empty. The frame's arithmetic must be one of the integer kinds.
     void use(exact::Frame& frame, const CoplanarGroups& a, const CoplanarGroups& b) noexcept;
     bool are_used() const noexcept { return groups_[0] != nullptr; }
     const CoplanarGroups& groups(std::size_t body) const noexcept { return *groups_[body]; }
 
-    // Returns how many signs were computed in integers.
+    // Returns the number of signs that were computed in integers.
     std::uint64_t computed_count() const noexcept { return computed_count_; }
 
     // Returns `sides` with each zero replaced by the exact sign. sides[i] is the sign of corner i of triangle `other`

@@ -1,5 +1,5 @@
-// Declares the questions of intersection.hpp about the surfaces of two bodies: all triangles of their meshes, whatever
-// forms their shapes have.
+// Declares the functions of intersection.hpp for the surfaces of two bodies: all triangles of their meshes, for any
+// forms of shapes.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@
 
 namespace ecods::surface {
 
-// Returns true if the surfaces share a point. Leaves in the witness two triangles that share a point, or an axis that
-// separates the bodies as a whole, insides included, or neither.
+// Returns true if the surfaces share a point. Sets the witness to two triangles that share a point, or to an axis that
+// separates the bodies as a whole, insides included, or to neither.
 bool intersects(const Posed<MeshShape>& a, const Posed<MeshShape>& b, const Ask& ask);
-// Returns the same for two shapes that must be MeshShapes, without copies of their poses: this is the question that a
-// world asks most often.
+// Returns true if the surfaces share a point, for two shapes that must be MeshShapes. The poses are not copied, because
+// a world calls this function most often.
 bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask);
 bool holds_axis(const PairWitness& witness) noexcept;
 

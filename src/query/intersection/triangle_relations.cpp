@@ -40,7 +40,8 @@ ECODS_ALWAYS_INLINE Points<6> TriangleRelations::rounded(const Triangle& a, cons
 Relation TriangleRelations::relation(std::uint32_t a, std::uint32_t b) {
     ECODS_ASSERT(a < frame_.body(0).mesh->triangles().size() && b < frame_.body(1).mesh->triangles().size());
     ++counts_.triangle_tests;
-    // Planes are tried first: once they are in use they decide most undecided pairs, and cost less than posing points.
+    // The planes of groups are tried first: once groups are in use, their planes decide most undecided pairs, and cost
+    // less than posing points.
     if (planes_.are_used() && planes_.are_triangles_apart(a, b)) [[unlikely]] {
         ++counts_.plane_passes;
         return Relation::apart;
@@ -70,7 +71,7 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
     return relation;
 }
 
-// Decides a pair of triangles that the filter with the error bound of the two bodies left undecided.
+// Returns the relation of triangles a and b, which the filter with the error bound of the two bodies left undecided.
 [[gnu::noinline]] Relation TriangleRelations::decide_open(std::uint32_t a, std::uint32_t b, const Points<6>& points,
                                                           const FilterTrace& trace) {
     const Triangle &ta = triangles_[0][a], &tb = triangles_[1][b];
@@ -101,14 +102,14 @@ Relation TriangleRelations::decide_in_doubles(const Points<6>& points) {
 namespace {
 
 // Returns true only if all vertices of the mesh have the same coordinate on the axis. extent.half is the rounded half
-// of the difference of two doubles. If these differ, it can be zero only if both are near the least doubles: hence
-// 2^-900. Zeros are recognized by their bits, because a processor may treat other numbers as zero.
+// of the difference of two doubles. If the two doubles differ, extent.half can be zero only if both are near the least
+// doubles: hence 2^-900. Zeros are recognized by their bits, because a processor may treat other numbers as zero.
 bool is_constant(const MeshExtent& extent, int axis) noexcept {
     if (extent.digits[static_cast<std::size_t>(axis)].empty()) return true;
     return extent.half[axis] == 0 && extent.magnitude[axis] > 0x1p-900;
 }
 
-// Returns true only if all points of the body have the same coordinate on this axis of the world.
+// Returns true only if all points of the body have the same coordinate on axis `row` of the world.
 bool is_flat(const BodyRef& body, int row) noexcept {
     for (int column = 0; column < 3; ++column) {
         if (decode(body.pose->R(row, column)).m != 0 && !is_constant(*body.extent, column)) return false;
@@ -151,9 +152,10 @@ Relation TriangleRelations::decide_flat(std::uint32_t a, std::uint32_t b, const 
     return decide_by_integers(corners, points, bounds, trace);
 }
 
-// Returns true if coplanar groups decide pairs from now on; enables the groups if it is time. A mesh's groups are found
-// once, and only after integers have decided at least one pair of the query for each 512 triangles. So queries with
-// fewer such pairs do not pay for the search. The rule depends only on the query, so equal queries count equal work.
+// Returns true if coplanar groups decide pairs from now on; enables the groups if enough pairs were undecided. A mesh's
+// groups are found once, and only after integers have decided at least one pair of the query for each 512 triangles. So
+// queries with fewer such pairs do not pay for the search. The rule depends only on the query, so equal queries count
+// equal work.
 bool TriangleRelations::may_use_groups() {
     if (planes_.are_used()) return true;
     if (shapes_[0] == nullptr) return false;
@@ -172,8 +174,9 @@ bool TriangleRelations::may_use_groups() {
 
 namespace {
 
-// Gives triangle_pair its signs for two triangles that are not coplanar. The sides of the corners are given (`sides`).
-// Orientations and normal axes come from the filter, or from integers if the filter is uncertain.
+// SignsOfPlanes computes the signs that triangle_pair needs of two triangles that are not coplanar. The sides of the
+// corners are given (`sides`). Orientations and normal axes come from the filter, or from integers if the filter is
+// uncertain.
 class SignsOfPlanes {
   public:
     SignsOfPlanes(Frame& frame, const std::array<VertexRef, 6>& corners, const Points<6>& points,
@@ -214,8 +217,8 @@ class SignsOfPlanes {
 
 }  // namespace
 
-// Decides a pair by the sides of the triangles' planes on which corners lie. Leaves coplanar triangles to integers,
-// because they need many more signs.
+// Returns the relation of triangles a and b from the sides of the triangles' planes on which corners lie. Coplanar
+// triangles are decided in integers, because they need many more signs.
 Relation TriangleRelations::decide_by_planes(std::uint32_t a, std::uint32_t b, const Corners& corners,
                                              const Points<6>& points, const DeterminantBounds& bounds,
                                              const FilterTrace& trace) {

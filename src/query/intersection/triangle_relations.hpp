@@ -23,12 +23,12 @@ inline std::uint64_t& integer_stage(StageCounts& counts, exact::Arithmetic arith
 
 class TriangleRelations {
   public:
-    // Cost: constant. Everything that the arguments refer to must outlive this object.
+    // Binds the two meshes. Cost: constant. Everything that the arguments refer to must outlive this object.
     void bind(const exact::BodyRef& a, const exact::BodyRef& b);
 
-    // Allows groups of coplanar triangles to be used. Call it after bind(), with the shapes of the same meshes. Groups
-    // are found in these shapes once integers have decided some pairs. Without this call, every pair is decided on its
-    // own.
+    // Allows groups of coplanar triangles to be used. Call this function after bind(), with the shapes of the same
+    // meshes. Groups are found in the shapes once integers have decided some pairs. Without the call, every pair is
+    // decided on its own.
     void offer_groups(const MeshShape& a, const MeshShape& b) noexcept {
         shapes_ = {&a, &b};
         groups_of_ = &MeshShapeAccess::groups;
@@ -55,7 +55,7 @@ class TriangleRelations {
     void reset_counts() noexcept { counts_ = {}; }
 
   private:
-    // Corners are those of a triangle of the first body, then those of a triangle of the second.
+    // Corners holds the corners of a triangle of the first body, then the corners of a triangle of the second.
     using Corners = std::array<exact::VertexRef, 6>;
 
     exact::Points<6> rounded(const Triangle& a, const Triangle& b);
@@ -78,7 +78,8 @@ class TriangleRelations {
     // not known yet.
     int flat_axis_ = -1;
     double flat_bound_ = 0;  // error bound of every orient2d along flat_axis_
-    // Finds the groups of a shape. It is a pointer so that programs without shapes are not linked with trees.
+    // Points to the function that finds the groups of a shape, so that programs without shapes are not linked with
+    // trees.
     const CoplanarGroups& (*groups_of_)(const MeshShape&) = nullptr;
     std::array<const MeshShape*, 2> shapes_{};  // null without shapes, and once groups are in use or found to be empty
     std::size_t open_count_ = 0;                // pairs left to integers while shapes_ are set

@@ -1,5 +1,4 @@
-// CommonPoint tests whether two bodies share a point, while another question about the same two bodies is being
-// answered.
+// CommonPoint tests whether two bodies share a point, while another search for the same two bodies is running.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +19,13 @@ class CommonPoint {
     bool is_in(const TrianglePair& triangles);
 
     // Counts one more pair of nodes that overlap. When the count reaches `overlap_max`, tests the bodies, and returns
-    // true if the test finds that they share a point. Returns false otherwise.
+    // true if the bodies share a point. Returns false otherwise.
     bool is_found_among_overlaps();
 
   private:
-    // If bodies overlap deeply, a walk usually finds two triangles that share a point long before this count. Large
-    // bodies that nearly touch have some hundred pairs of overlapping nodes, too; for them the test would be wasted.
+    // overlap_max is the number of overlapping pairs of nodes after which the bodies are tested. Large bodies that
+    // nearly touch have some hundred overlapping pairs, and the test would be wasted; if bodies overlap deeply, a walk
+    // usually finds two triangles that share a point long before overlap_max pairs.
     static constexpr std::uint32_t overlap_max = 1024;
 
     // Stops using the TriangleRelations in the memory, and adds their counts to those of the memory, so that another

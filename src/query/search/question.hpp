@@ -1,4 +1,4 @@
-// PairQuestion lists the functions that a question about two bodies must have, so that Search can answer it.
+// PairQuestion lists the functions of a question about two bodies that Search calls.
 #pragma once
 
 #include <concepts>
@@ -10,13 +10,15 @@
 
 namespace ecods {
 
-// A PairQuestion gives each pair of triangles a number (a distance or a time) and asks for the least number. No number
-// is negative, and a number is 0 exactly if the pair shares a point. It has these functions.
+// A PairQuestion assigns a number (a distance or a time) to each pair of triangles; the result of a search is the least
+// number. No number is negative, and a number is 0 exactly if the pair shares a point. A PairQuestion has these
+// functions.
 //
 // `limit_above(number)` returns a float that bounds nodes: a node that holds a pair with at most this number has a
 // lower bound of at most this float. `find_near(x, y, limit, bounds)` returns the set of pairs of lanes, as bits, whose
-// lower bounds may be at most `limit`. It sets their `bounds`, which are finite and not negative, as near_mask does.
-// `may_share(bound)` returns true if the search must test whether nodes with this lower bound share a point.
+// lower bounds may be at most `limit`. It sets the `bounds` of these pairs, which are finite and not negative, as
+// near_mask does. `may_share(bound)` returns true if the search must test whether nodes with this lower bound share a
+// point.
 //
 // `enclose(pair, at_most)` returns an Interval: two doubles that are proven bounds of the pair's number. If the number
 // exceeds `at_most`, `lower` may be infinity. `lower` is 0 unless a greater bound is proven. All pairs whose intervals
@@ -40,9 +42,9 @@ concept PairQuestion = requires(Question& question, const BvhNode& node, const T
 
 // An ExcludingQuestion can also exclude a pair by proving that its number is at least that of a remembered pair.
 //
-// `refer_to(pair)` remembers this pair, whose triangles must not share a point, and returns true if it replaces another
-// pair. A question may decline: it then remembers no pair and returns false. `is_not_less(pair)` returns true if the
-// pair's number is certainly at least that of the remembered pair.
+// `refer_to(pair)` stores `pair`, whose triangles must not share a point, as the remembered pair, and returns true if
+// `pair` replaces another pair. A question may decline: it then remembers no pair and returns false.
+// `is_not_less(pair)` returns true if the pair's number is certainly at least that of the remembered pair.
 template <class Question>
 concept ExcludingQuestion = PairQuestion<Question> && requires(Question& question, const TrianglePair& pair) {
     { question.refer_to(pair) } -> std::same_as<bool>;

@@ -1,5 +1,5 @@
 // Search finds the least number among the pairs of triangles of two bodies. It walks both trees, nearest nodes first,
-// and leaves a few pairs from which exact arithmetic chooses.
+// and keeps a few pairs, among which exact arithmetic finds the least number.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@
 
 namespace ecods {
 
-// A GatheringQuestion can bound a pair of triangles more tightly than its leaves do, at less cost than an interval. It
-// collects pairs, and chooses when the search takes them.
+// A GatheringQuestion can bound a pair of triangles more tightly than its leaves do, at less cost than an interval. The
+// question collects pairs, and decides when the search takes the collected pairs.
 //
-// `gather(search, x, y, lanes, bounds)` stores the pairs of triangles of leaves x and y in these lanes, with their
-// bounds. `advance(search, bound)` is called before nodes with this lower bound are opened, and with infinity at the
-// end. When the last call returns, every stored pair must have been passed to search.take(), or must be known not to
-// have the least number.
+// `gather(search, x, y, lanes, bounds)` stores the pairs of triangles of leaves x and y in `lanes`, with their bounds.
+// `advance(search, bound)` is called before nodes with this lower bound are opened, and with infinity at the end. When
+// the last call returns, every stored pair must have been passed to search.take(), or must be known not to have the
+// least number.
 template <class Question, class Search>
 concept GatheringQuestion = requires(Question& question, Search& search, const TreeLeaf& leaf, LanePairs lanes,
                                      const LaneBounds& bounds, float bound) {
@@ -116,9 +116,9 @@ class Search {
         const bool has_ties = !sieve_.open().empty();
         take_upper(open.interval.upper, triangles);
         if constexpr (ExcludingQuestion<Question>) {
-            // A pair that ties with the nearest pair shares features with it, or lies across the same two parallel
-            // faces: more ties will follow. From now on the nearest pair may be the only reason to exclude others, so
-            // it must stay in the sieve.
+            // A pair with the same number as the nearest pair shares features with that pair, or lies across the same
+            // two parallel faces: more equal pairs will follow. From now on the nearest pair may be the only reason to
+            // exclude others, so it must stay in the sieve.
             const TrianglePair nearest{sieve_.nearest().a, sieve_.nearest().b};
             if (has_ties && question_.refer_to(nearest)) {
                 typename SieveOf<Question>::Open known{{}, nearest};
@@ -128,7 +128,8 @@ class Search {
         }
         sieve_.add(open);
     }
-    // Records that the number of the pair `triangles` is at most `upper`, or rounds to it.
+    // Stores `upper` as an upper bound of the least number: the number of the pair `triangles` is at most `upper`, or
+    // rounds to `upper`.
     void take_upper(double upper, const TrianglePair& triangles) {
         if (sieve_.take_upper(upper, triangles)) set_limit();
     }

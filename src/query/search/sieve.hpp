@@ -1,5 +1,5 @@
-// Sieve stores the pairs of triangles that may still be the answer of a search. It decides which pairs may be dropped,
-// and when exact arithmetic is needed.
+// Sieve stores the pairs of triangles that may still have the least number of a search. The sieve decides which pairs
+// may be dropped, and when exact arithmetic is needed.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 
 namespace ecods {
 
-// SearchGoal says which numbers a search needs, and when it may stop.
+// SearchGoal defines which numbers a search must find, and when the search may stop.
 struct SearchGoal {
     double at_most = std::numeric_limits<double>::infinity();  // numbers above this need not be found
     double stop_at = -1;  // the search stops when some number is proven to be at most this
-    // These say how exact the result must be. Let m be the least upper bound found so far. Pairs with numbers above
-    // max(m - absolute, m / (1 + relative)) may be dropped; see Sieve::floor.
+    // `relative` and `absolute` define how exact the result must be. Let m be the least upper bound found so far. Pairs
+    // with numbers above max(m - absolute, m / (1 + relative)) may be dropped; see Sieve::floor.
     double relative = 0;
     double absolute = 0;
 };
@@ -54,20 +54,20 @@ class Sieve {
         set_bounds();
     }
 
-    // Returns true if a pair whose number is at least `lower` may still be the answer.
+    // Returns true if a pair whose number is at least `lower` may still have the least number.
     bool counts(double lower) const noexcept { return key_of(lower) <= most_; }
     // Returns true if the goal is reached, so that the search may stop.
     bool is_decided() const noexcept { return is_zero_ || key_of(upper_) <= key_of(goal_.stop_at); }
 
-    // Records that a pair of triangles shares a point, so its number is 0. This decides the search; open() is not used
-    // then.
+    // Stores a pair of triangles that shares a point, so that its number is 0. The search is then decided, and open()
+    // is not used.
     void take_zero(const TrianglePair& triangles) noexcept {
         is_zero_ = true;
         nearest_ = {triangles.a, triangles.b};
     }
     void take_zero() noexcept { is_zero_ = true; }
-    // Records that the number of the pair `triangles` is at most `upper`, or rounds to it. Returns true if this lowers
-    // the upper bound, so that more pairs may be dropped.
+    // Lowers the upper bound of the least number to `upper`: the number of the pair `triangles` is at most `upper`, or
+    // rounds to `upper`. Returns true if the bound was greater, so that more pairs may be dropped.
     bool take_upper(double upper, const TrianglePair& triangles) noexcept {
         if (nearest_.a == PairWitness::none) nearest_ = {triangles.a, triangles.b};  // also if `upper` is infinite
         if (!(key_of(upper) < key_of(upper_))) return false;
@@ -80,7 +80,7 @@ class Sieve {
     void forget_open() noexcept { open_.clear(); }
 
     bool is_zero() const noexcept { return is_zero_; }
-    // Returns an upper bound of the least number. It is the upper bound of nearest(), if there is such a pair.
+    // Returns an upper bound of the least number: the upper bound of nearest(), if there is such a pair.
     double upper() const noexcept { return upper_; }
     const PairWitness& nearest() const noexcept { return nearest_; }
     // Returns a lower bound of the numbers of all pairs that were dropped because of the goal's relative or absolute
@@ -91,13 +91,13 @@ class Sieve {
     double bound() const noexcept { return lesser(goal_.at_most, floor_); }
 
     std::vector<Open>& open() noexcept { return open_; }
-    // Removes the open pairs that cannot be the answer any more.
+    // Removes the open pairs that cannot have the least number any more.
     void drop() {
         std::erase_if(open_, [&](const Open& open) { return !counts(open.interval.lower); });
     }
 
-    // Returns the least Value of the open pairs, and makes its pair nearest(); nullopt if no pair has a value. If the
-    // least number exceeds the goal's at_most, dropped pairs may have lesser ones.
+    // Returns the least Value of the open pairs, and makes the pair of this Value nearest(); nullopt if no pair has a
+    // value. If the least number exceeds the goal's at_most, dropped pairs may have lesser ones.
     //
     // round(open, least) must return the value of a pair, or nullopt if it is not less than `least`, the least value so
     // far. Values are ordered by number(value), then by rank(value).
@@ -119,7 +119,7 @@ class Sieve {
     }
 
     // Returns true if the unrounded number of some open pair is at most d, and then makes this pair nearest(). Calls
-    // exact(triangles) to decide a pair whose interval does not.
+    // exact(triangles) for a pair that the pair's interval does not decide.
     template <class Exact>
     bool is_least_within(double d, Exact&& exact) {
         for (const Open& open : group()) {

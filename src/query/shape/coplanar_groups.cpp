@@ -52,8 +52,8 @@ bool is_coplanar(const VertexSigns& signs, const Mesh& mesh, std::uint32_t a, st
     return false;
 }
 
-// Grouper groups triangles with equal keys by their planes. Only the first four planes of each key are remembered,
-// because a surface with more planes so near each other hardly has a group.
+// Grouper groups triangles with equal keys by their planes. Only the first four planes of each key are stored, because
+// a surface with more planes of one key hardly has a group.
 class Grouper {
   public:
     explicit Grouper(const Mesh& mesh)
@@ -66,7 +66,7 @@ class Grouper {
 
     // Returns the closed side of the group's plane that contains all vertices, 1 or -1; 0 if there are vertices on both
     // sides. Tests each vertex once, since triangles have three to six times as many corners. A vertex that no triangle
-    // uses may turn the answer into 0, but never makes it wrong.
+    // uses may turn the result into 0, but never makes the result wrong.
     std::int8_t side_of_mesh(std::uint32_t group) {
         const Triangle& t = mesh_.triangles()[first_[group]];
         const auto count = static_cast<std::uint32_t>(mesh_.vertices().size());
@@ -104,7 +104,7 @@ class Grouper {
     std::size_t plane_count_ = 0;
 };
 
-// Returns the group to which all items belong; CoplanarGroups::none if there is no such group.
+// Returns the group to which the first `count` items all belong; CoplanarGroups::none if there is no such group.
 template <class Items, class GroupOf>
 std::uint32_t common_group(const Items& items, std::size_t count, const GroupOf& group_of) {
     const std::uint32_t group = group_of(items[0]);

@@ -25,8 +25,8 @@ struct CoplanarGroups {
     bool empty() const noexcept { return first.empty(); }
 };
 
-// Finds the groups. Cost: n log n. If the mesh has many groups, `side` is computed only for the first few, with one
-// pass over the vertices for each.
+// Returns the groups of coplanar triangles of the mesh. Cost: n log n. If the mesh has many groups, `side` is computed
+// only for the first few, with one pass over the vertices for each.
 CoplanarGroups find_coplanar_groups(const Mesh& mesh, const exact::MeshExtent& extent, const MeshBvh& tree);
 
 }  // namespace ecods

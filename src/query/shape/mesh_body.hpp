@@ -1,4 +1,4 @@
-// Refers to a posed mesh, for a query.
+// Defines MeshBody and MeshPair, by which a query refers to posed meshes.
 #pragma once
 
 #include <optional>

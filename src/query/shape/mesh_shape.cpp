@@ -11,8 +11,8 @@
 namespace ecods {
 namespace {
 
-// If there are at most this many vertices, box() poses them one by one: this is as fast as a support table, and the box
-// is tighter.
+// vertices_posed_max is the greatest number of vertices that box() poses one by one: posing is then as fast as a
+// support table, and the box is tighter.
 constexpr std::size_t vertices_posed_max = 32;
 
 std::uint64_t next_tree_id() noexcept {

@@ -21,7 +21,8 @@ struct MeshTree {
     std::uint64_t id;  // unique in the process: caches identify the tree by it
 };
 
-// Gives the library access to the derived data of a MeshShape. Each function computes its result on first use.
+// MeshShapeAccess gives the library access to the derived data of a MeshShape. Each function computes its result on
+// first use.
 struct MeshShapeAccess {
     static const LocalFrame& frame(const MeshShape& shape);
     static const MeshTree& tree(const MeshShape& shape);

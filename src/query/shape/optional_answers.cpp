@@ -1,4 +1,4 @@
-// Defines the default answers of Shape and TwoBodyTest: derived classes need not answer the optional questions.
+// Defines the default functions of Shape and TwoBodyTest: derived classes need not override the optional ones.
 #include <optional>
 #include <vector>
 

@@ -1,9 +1,9 @@
 // OtherUnits scales bodies whose size is near the ends of the range of doubles.
 //
-// An answer without a unit (a time, a name, an intersection) does not change if all bodies are scaled by 2^e. Without
-// scaling, very small bodies are decided in integers, because bounds of rounding errors have terms for underflow;
-// bodies above a limit are not decided by these bounds at all. So bodies below 2^-200 or above 2^200 are scaled to
-// about 1 for a query.
+// A result without a unit (a time, a name, an intersection) does not change if all bodies are scaled by 2^e. Without
+// scaling, very small bodies are decided in integers, because bounds of rounding errors have terms for underflow; for
+// bodies above a limit, doubles decide nothing. So bodies below 2^-200 or above 2^200 are scaled to about 1 for a
+// query.
 //
 // A body is scaled by its pose. If the mesh's own coordinates are very small or large, a scaled mesh, which the shape
 // caches, is used, too. Translations are always scaled. All scaling is exact; if it cannot be exact, the bodies are
@@ -35,8 +35,8 @@ class OtherUnits {
     // Returns true if a query should use these units, each of which is 2^-e times a usual unit.
     bool are_better() const noexcept { return exponent_ != 0; }
 
-    // Return the body, or the vector, in these units. The first call for a shape may create a scaled shape, with its
-    // tree.
+    // Return the body, or the vector, in the chosen units. The first call for a shape may create a scaled shape, with
+    // its tree.
     Posed<MeshShape> of(const Posed<MeshShape>& body) const;
     Moving<MeshShape> of(const Moving<MeshShape>& body) const;
     Turning<MeshShape> of(const Turning<MeshShape>& body) const;

@@ -15,7 +15,7 @@ inline constexpr std::size_t denominator_limbs = 4 * limb_count_max;
 // round_root() takes denominators of at most divisor_limbs limbs.
 inline constexpr std::size_t divisor_limbs = numerator_limbs;
 
-// Represents num / den * 4^exponent.
+// A SquaredDistance is the number num / den * 4^exponent.
 struct SquaredDistance {
     Natural<numerator_limbs> num;
     Natural<denominator_limbs> den{1};
