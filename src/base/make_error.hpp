@@ -48,7 +48,7 @@ InvalidArgument no_normal();
 InvalidArgument invalid_offset(double value);
 InvalidArgument invalid_distance(double value);
 InvalidArgument invalid_time(double value);
-// `what` names the entries of the second list: "poses".
+// Makes the error for a list of `count` entries beside a list of `body_count` bodies. `what` names the entries.
 InvalidArgument invalid_list_length(std::size_t body_count, std::size_t count, const std::string& what = "poses");
 InvalidArgument null_argument(const std::string& name);
 InvalidArgument mesh_and_shape();

@@ -5,7 +5,7 @@
 
 namespace ecods {
 
-// Calls the handler that set_misuse_handler installed, if there is one.
+// Passes the error to the handler that set_misuse_handler installed, if there is one.
 void report_misuse(const Error& error);
 
 template <class SomeError>

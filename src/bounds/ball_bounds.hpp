@@ -27,7 +27,7 @@ class BallBounds {
     // a decision.
     BoxVerdict judge(const Aabb& box) const noexcept;
 
-    // Returns the same as overlap(ball, box): exact.
+    // Returns true if the ball and the box share a point. The result is exact, like that of overlap(ball, box).
     bool meets(const Aabb& box) const noexcept;
 
   private:

@@ -22,8 +22,9 @@ double difference_above(double a, double b) noexcept {
 
 }  // namespace
 
-// Sets side `side`. A side at infinity does not move. If p is infinity, e <= p always holds. If p is -infinity and the
-// side is not coming, e <= p holds only for e = -infinity.
+// Sets one side of the box to the position p with its outward velocity. A side at infinity does not move. Let e be the
+// position of the facing side of another box (moving_box.hpp). If p is infinity, e <= p holds at all times. If p is
+// -infinity and the velocity is not positive, e <= p holds only for e = -infinity.
 void MovingBox::set(std::size_t side, double p, double velocity) noexcept {
     const std::int64_t key = key_of(velocity);
     Side& s = sides_[side];

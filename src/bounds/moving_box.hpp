@@ -33,8 +33,8 @@ namespace ecods {
 // which is more than 2^60 times that, is subtracted from the gap of a coming side, and added to the gap of a going
 // side. Speeds below 2^-1000 and above 2^1000 are replaced by these limits, or by infinity, whichever proves less. So
 // no inverse is subnormal. A product that is subnormal or flushed to zero is off by less than 2^-1021; therefore a box
-// is left out only if it comes later than it goes by more than `time_min`. Gaps that overflow are at least the largest
-// double. NaN, from 0 times infinity, proves nothing.
+// is left out only if the lower bound of its first time exceeds the upper bound of its last time by more than
+// `time_min`. Gaps that overflow are at least the largest double. NaN, from 0 times infinity, proves nothing.
 //
 // All steps are monotone: if box a contains box b, the time of a is at most the time of b.
 // Claim: verify/proofs/lines_and_times.py

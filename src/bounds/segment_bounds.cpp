@@ -57,7 +57,7 @@ BoxVerdict SegmentBounds::judge(const Aabb& box) const noexcept {
     for (int x = 0; x < 3; ++x) {
         const int y = (x + 1) % 3, z = (x + 2) % 3;
         // If d_y or d_z is zero, the cross product is zero or along a coordinate axis. Coordinate axes do not separate
-        // the two, since box() overlaps the box.
+        // the segment and the box, since box() overlaps the box.
         if (sign_[static_cast<std::size_t>(y)] == 0 || sign_[static_cast<std::size_t>(z)] == 0) continue;
         const auto side_of = [&](const std::array<double, 2>& p) {
             return direction_[y] * (p[1] - segment_.a[z]) - direction_[z] * (p[0] - segment_.a[y]);

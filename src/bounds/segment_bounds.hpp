@@ -8,7 +8,7 @@
 
 namespace ecods {
 
-// Says if a set of points and a box are certainly apart or certainly meeting, as judged in doubles with an error bound;
+// Says if a set of points and a box are proven apart or proven to share a point, by doubles with an error bound;
 // otherwise `unknown`.
 enum class BoxVerdict : std::uint8_t { apart, meeting, unknown };
 
@@ -39,7 +39,7 @@ class SegmentBounds {
     // a decision. The box must overlap box().
     BoxVerdict judge(const Aabb& box) const noexcept;
 
-    // Returns the same as overlap(segment, box): exact.
+    // Returns true if the segment and the box share a point. The result is exact, like that of overlap(segment, box).
     bool meets(const Aabb& box) const noexcept;
 
   private:

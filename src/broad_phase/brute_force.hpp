@@ -1,4 +1,4 @@
-// Tests every box against every other.
+// Tests every box against every other box.
 #pragma once
 
 #include "broad_phase/changes/pair_finder.hpp"

@@ -137,8 +137,8 @@ void Replayer::make(const Row<calls::InOrder>& traced) {
     Row<calls::InOrder>::fields(KeepIds{{}, *this}, traced, call);
 }
 
-// Asks the question. Compares the digest of the answer with the digest in the trace only if the world has the ids of
-// the trace, since the least id decides a tie.
+// Asks the new world the question of the trace. Compares the digest of the answer with the digest in the trace only if
+// the world has the ids of the trace, since the least id decides a tie.
 template <template <class> class Row>
 void Replayer::ask(const Row<calls::InOrder>& traced) {
     const std::uint64_t answer = AnswerDigest::of(in_world(traced).ask(world_));

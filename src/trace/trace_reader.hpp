@@ -73,7 +73,8 @@ struct TracedNames {
     std::unordered_map<std::uint64_t, std::size_t> shapes;  // values of calls::InOrder::Shape, by number in the text
 };
 
-// A FieldReader reads the fields of a call or a question; it is a visitor of the rows.
+// A FieldReader reads the fields of a call or a question. The rows of calls.hpp and questions.hpp pass their fields to
+// the FieldReader.
 class FieldReader {
   public:
     FieldReader(TraceLines& lines, TracedNames& names) : lines_(lines), names_(names) {}

@@ -1,4 +1,4 @@
-// Writes traces.
+// Writes the calls, updates and questions of a world to a trace.
 #pragma once
 
 #include <cstddef>
@@ -58,7 +58,8 @@ class TraceWriter {
     bool has_failed() const noexcept { return has_failed_; }
 
   private:
-    // A FieldWriter writes the fields of a call or a question; it is a visitor of the rows.
+    // A FieldWriter writes the fields of a call or a question. The rows of calls.hpp and questions.hpp pass their
+    // fields to the FieldWriter.
     struct FieldWriter {
         TraceWriter& writer;
 

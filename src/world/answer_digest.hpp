@@ -65,7 +65,8 @@ class AnswerDigest {
     void take(const BodyContact& met) noexcept { take(met.body, met.contact); }
     void take(const Meeting& meeting) noexcept { take(meeting.bodies, meeting.contact); }
     void take(const NearestBody& nearest) noexcept { take(nearest.body, nearest.distance); }
-    // Leaves out the points: they follow from bodies and poses, and traces of version 1 had none.
+    // Adds the bodies and the distance to the digest. Leaves out the points, because points follow from bodies and
+    // poses, and traces of version 1 had no points.
     void take(const ClosestPair& closest) noexcept { take(closest.bodies, closest.distance); }
     void take(const Depth& depth) noexcept { take(depth.depth, depth.a, depth.b, depth.direction); }
     void take(const BodyDepth& pair) noexcept { take(pair.bodies, pair.depth); }

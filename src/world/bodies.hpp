@@ -45,7 +45,7 @@ struct Slot {
     Posed<Shape> posed() const noexcept { return {*shape, pose}; }
     void put(std::shared_ptr<const Shape> new_shape) noexcept;
 
-    // Return the shape as a Solid, as a ConvexSolid or as a Rounded; null if it is not one.
+    // Return the shape as a Solid, as a ConvexSolid or as a Rounded; null if the shape is of another class.
     const Solid* solid() const noexcept {
         return form != MeshForm::surface ? static_cast<const Solid*>(shape.get()) : nullptr;
     }

@@ -17,7 +17,7 @@ class MeshMeshTest final : public TwoBodyTest {
 
     bool answers(Question question) const noexcept override { return question != Question::hits; }
 
-    // Asks about two surfaces, the most frequent bodies, without a copy of their poses.
+    // Tests two surfaces, which are the most frequent bodies, without copying their poses.
     bool intersects(const Posed<Shape>& a, const Posed<Shape>& b, const Ask& ask) const override {
         if (is_of_surfaces_ || are_surfaces(*mesh_in(a), *mesh_in(b))) return surface::intersects(a, b, ask);
         return ecods::intersects(mesh_of(a), mesh_of(b), ask);

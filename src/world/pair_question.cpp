@@ -39,7 +39,7 @@ double PairQuestion::distance(const Ask& ask) const {
 }
 
 // Tries the closest points of convex solids first. For solids that are apart, this saves rounding a direction, which
-// costs as much as a point and which the answer does not have.
+// costs as much as rounding a point and which the answer does not contain.
 std::optional<ClosestPair> PairQuestion::find_signed(const Ask& ask) const {
     if (const auto convex = as_convex_solids(a_, b_)) {
         Asking asking(ask);

@@ -23,7 +23,8 @@ class PairQuestion {
 
     // Returns true if the real distance is at most max_distance, which is at least 0; infinity is allowed.
     bool is_within(double max_distance, const Ask& ask) const;
-    // Returns the same answer, but tries `axis` first, and leaves an axis in it, as convex::within() does.
+    // Returns is_within(max_distance, ask), but tries `axis` first and may store another axis in `axis`, as
+    // convex::within() does.
     bool is_within(double max_distance, const Ask& ask, Vec3& axis) const;
 
     // Return the distance alone, or all members of ClosestPair.

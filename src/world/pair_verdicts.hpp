@@ -41,11 +41,12 @@ class PairVerdicts {
     // out.
     std::size_t commit() noexcept;
 
-    // Replaces follow() to commit() in an update before which nothing changed.
+    // Clears the lists of events. Replaces the steps from follow() to commit() in an update before which nothing
+    // changed.
     void clear_events() noexcept;
 
-    // Replaces follow() to commit() in an update that removes all pairs: removes them, and reports that every positive
-    // pair ended.
+    // Removes all pairs, and reports that every positive pair ended. Replaces the steps from follow() to commit() in an
+    // update that removes all pairs.
     void end_all() noexcept;
 
     const VerdictCache& verdicts() const noexcept { return verdicts_; }

@@ -26,7 +26,7 @@ bool is_mesh(const Posed<Shape>& posed) noexcept {
     return posed.what->kind() == ShapeKind::mesh();
 }
 
-// Returns true if one is a half space, and the other one a mesh or a rounded body.
+// Returns true if one of the two bodies is a half space, and the other one is a mesh or a rounded body.
 bool have_half_space(const Posed<Shape>& a, const Posed<Shape>& b) {
     return is_half_space(a) ? core_and_radius(b).has_value() : is_half_space(b) && core_and_radius(a).has_value();
 }
@@ -39,8 +39,8 @@ SignedDistance from_half_space(const Posed<Shape>& body, const Posed<Shape>& oth
     return signed_distance(Posed<Rounded>(static_cast<const Rounded&>(*body.what), body.pose), half_space, ask);
 }
 
-// Returns true if the core is convex and its pose regular, so that it has a depth with any other core of which this
-// holds.
+// Returns true if the core is convex and its pose is regular. Two cores for which is_convex() returns true have a
+// depth.
 bool is_convex(const CoreAndRadius& body) {
     return convex::is_convex_core(*body.core.what) && convex::is_regular(body.core.pose);
 }

@@ -15,10 +15,11 @@ struct ConvexSolids {
 };
 std::optional<ConvexSolids> as_convex_solids(const Posed<Shape>& a, const Posed<Shape>& b);
 
-// Returns the pair if at least one of the two is a rounded body, and the other one is rounded or a mesh.
+// Returns the two bodies as a RoundedPair if at least one of them is a rounded body, and the other one is rounded or a
+// mesh; otherwise nullopt.
 std::optional<RoundedPair> as_rounded_pair(const Posed<Shape>& a, const Posed<Shape>& b);
 
-// Returns true if signed_distance_of() returns a number for the two.
+// Returns true if signed_distance_of() returns a distance for the two bodies, not nullopt.
 bool have_signed_distance(const Posed<Shape>& a, const Posed<Shape>& b);
 
 // Returns the signed distance; nullopt if the two have none. A convex solid at a singular pose has no inside, and no

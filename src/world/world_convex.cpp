@@ -18,8 +18,6 @@
 
 namespace ecods {
 
-// Asks about pairs in the order in which the trees find them: successive pairs in this order often share a body.
-
 namespace {
 
 // Prefetches data of bodies that come some places after `proxy`; their SolidInMemory objects will be made from it.
@@ -60,6 +58,7 @@ auto World::Impl::near_pairs(double limit, Kinds kinds) const -> NearPairs {
     return near;
 }
 
+// Asks the pairs in the order in which the trees find them, because successive pairs then often share a body.
 // Prefetches the solids of the pair two places ahead, because a thousand moving solids do not fit into a fast cache.
 template <class Answer, class Function>
 std::vector<Answer> World::Impl::ask_pairs(const NearPairs& near, const Ask& ask, const Function& find) const {

@@ -6,7 +6,7 @@
 
 namespace ecods {
 
-// Asks the bodies whose boxes overlap the box of the whole motion, by id.
+// Tests the bodies whose boxes overlap the box of the whole motion, ascending by id.
 std::optional<BodyContact> World::cast(const Deforming& mesh, double max_time, std::optional<CollisionFilter> filter,
                                        const Ask& ask) const {
     const Impl& w = impl();

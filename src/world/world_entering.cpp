@@ -43,8 +43,8 @@ std::optional<BodyEntry> World::entering(const Asked& asked, const Vec3& motion,
         });
     }
     Asking asking(ask);
-    // Asks up to max_time and not up to the time of an earlier entry, because an entry precedes this limit, but may tie
-    // with the other one.
+    // Searches for entries up to max_time, not up to the time of an entry found before: only entries that precede the
+    // limit are found, so an entry that ties with the one found before would be missed.
     first.visit(w, subject, w.box_of(subject), motion, [&](const Slot& slot, double) {
         return ecods::entering(mover, motion, mesh_at(slot.posed()), max_time, asking.memory());
     });

@@ -109,7 +109,8 @@ struct World::Impl {
     template <class Answer, class Function>
     std::vector<Answer> ask_pairs(const NearPairs& near, const Ask& ask, const Function& find) const;
 
-    // ---- the steps of an update, in this order
+    // update() calls the other steps in this order: test_pairs(), test_close_pairs(), relate_pairs(), commit().
+    // answer_tests() is a helper of these steps.
     void update();
     void test_pairs();
     void test_close_pairs();

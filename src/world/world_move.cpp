@@ -22,7 +22,8 @@ void World::set_pose(BodyId body, const Pose& pose) {
     if (w.trace) w.trace->write<calls::SetPose>(body, pose);
 }
 
-// Does everything that can fail before it moves the first body.
+// Performs all operations that can fail before it moves the first body, so that an error leaves all bodies where they
+// are.
 void World::set_poses(std::span<const BodyId> bodies, std::span<const Pose> poses) {
     Impl& w = impl();
     if (bodies.size() != poses.size()) throw invalid_list_length(bodies.size(), poses.size());

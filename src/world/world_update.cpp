@@ -15,7 +15,7 @@ void World::update() {
     w.trace->end_update(w.digest(), w.collisions.positive().size());
 }
 
-// Makes an update. Everything that can fail is done before commit(): for collisions, for close pairs and for relations.
+// Updates the lists of collisions, of close pairs and of relations. All operations that can fail come before commit().
 void World::Impl::update() {
     if (changes.empty() && closeness.is_up_to_date() && relations.is_up_to_date()) {
         collisions.clear_events();

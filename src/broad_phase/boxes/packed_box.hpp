@@ -166,7 +166,7 @@ struct alignas(64) BoxBlock {
         for (std::size_t row = 0; row < 6; ++row) line.ends[row] = ends[row][index];
         return line;
     }
-    // Returns true if get(index) == line; this is faster.
+    // Returns true if get(index) == line. The call is faster than that comparison.
     bool has(std::size_t index, const PackedBox& line) const noexcept {
         bool is_same = true;
         for (std::size_t row = 0; row < 6; ++row) is_same &= ends[row][index] == line.ends[row];

@@ -161,8 +161,8 @@ ECODS_ALWAYS_INLINE void settle_all(const SlotTable& slots, std::vector<Candidat
 void CandidateList::test(SlotTable& slots, bool are_removed_reported, PairEvents& events) {
     std::sort(doubtful_.begin(), doubtful_.end());
     Testing testing{slots, events, are_removed_reported, doubtful_, there_};
-    // Chooses how to find stale candidates. If few slots changed, marks the coarse boxes of these slots, so that each
-    // of their candidates is looked at closer. Otherwise a separate pass over all candidates costs less.
+    // Chooses how to find stale candidates. If few slots changed, marks the coarse boxes of these slots, so that
+    // look_closer() tests each of their candidates. Otherwise a separate pass over all candidates costs less.
     constexpr std::size_t pairs_of_one = 32;
     const std::size_t changed = slots.changed_slots().size();
     const bool by_boxes = !slots.keeps_coarse_boxes() || tests_by_boxes_ > 0;

@@ -23,20 +23,20 @@ class KeepingRule {
     // Holds the counts of an update that kept candidates.
     struct Kept {
         std::size_t boxes, moved;
-        std::uint64_t filtered, events, looked_up, tree_tests;  // events: without the ones of a search for everything
+        std::uint64_t filtered, events, looked_up, tree_tests;  // events: without the events of a full search
         bool searched_all;
-        std::size_t candidates;  // number of candidates after a search for everything
+        std::size_t candidates;  // number of candidates after a full search
     };
 
-    // Returns true if the last decision was to keep nothing: then the next update searches for everything.
+    // Returns true if the last decision was to keep nothing: then the next update makes a full search.
     bool searches() const noexcept { return is_scratch_; }
 
-    // Decides if boxes have margins from now on: if so, sets lifetime() and returns true. Call only in an update that
-    // searches for everything.
+    // Decides if boxes have margins from now on: if so, sets lifetime() and returns true. Otherwise returns false. Call
+    // only in an update that makes a full search.
     bool pays(const Forecast& forecast) noexcept;
     double lifetime() const noexcept { return lifetime_; }  // number of updates that these margins shall last
 
-    // Notes the number of pairs after an update that searched for everything.
+    // Notes the number of pairs after an update that made a full search.
     void note_pairs(std::size_t count) noexcept { pairs_ = count; }
     std::size_t pairs() const noexcept { return pairs_; }
 

@@ -33,15 +33,16 @@ void KeptCandidates::update(const FindingUpdate& finding) {
         sort_pairs(events.ended);
     }
     if (!replaces) put_to_sleep(changes.moved.size());
-    // Frees scratch after many boxes came, since these may be at rest from now on.
+    // Frees scratch memory after many boxes were added, since the added boxes may be at rest from now on.
     if (RebuildRule::are_many(changes.added.size(), table.size())) release_working_memory();
 }
 
-// Looks up the boxes that came, woke up or escaped, and returns false. If too many escaped, searches for everything
-// instead, and returns true.
+// Looks up the boxes that were added, woke up or escaped, and returns false. If too many boxes escaped, makes a full
+// search instead, and returns true.
 bool KeptCandidates::look_up_changes(const FindingUpdate& finding, std::size_t woken) {
     const auto& [table, changes, keeper, events, counts] = finding;
-    // If many boxes go at once, the keeper of the pairs finds their pairs; otherwise each box is looked up.
+    // If many boxes are removed at once, the keeper of the pairs finds their pairs; otherwise each removed box is
+    // looked up.
     constexpr std::size_t pass_per_removal = 128;
     const bool many_go = pass_per_removal * changes.removed.size() > slots_.used_count();
     if (many_go) keeper.append_removed(table, changes, events.ended);

@@ -26,9 +26,10 @@ namespace ecods {
 // rest for a while (slot_table.hpp). The candidates are the pairs whose fat boxes overlap, with at least one box awake.
 // An update tests all candidates in one pass, and no other pairs (candidate_list.hpp). A box that escaped from its fat
 // box gets a new fat box, and looks for new candidates in trees of fat boxes; a box that wakes up looks for candidates
-// with its old fat box (fat_forest.hpp). If many boxes escaped (rebuild_rule.hpp), a sweep from scratch searches for
-// everything at once, and the result is compared with the previous pairs. If most updates would do so, boxes have no
-// margins, no box is awake, and each update searches for the overlapping pairs from scratch (keeping_rule.hpp).
+// with its old fat box (fat_forest.hpp). If many boxes escaped (rebuild_rule.hpp), a full search finds the pairs of all
+// boxes at once, by a sweep from scratch, and the result is compared with the previous pairs. If most updates would
+// need a full search, boxes have no margins, no box is awake, and each update searches for the overlapping pairs from
+// scratch (keeping_rule.hpp).
 //
 // The pairs are right for any fat boxes that contain their boxes; how fat they are only matters for speed.
 class KeptCandidates final : public PairFinder {
@@ -108,7 +109,7 @@ class KeptCandidates final : public PairFinder {
     Fattened fattened_;
     LookUps look_ups_;
     std::vector<SlotIndex> found_;
-    ProxyPairs pairs_;  // pairs that a search for everything found
+    ProxyPairs pairs_;  // pairs that a full search found
     ListingMemory listing_;
 };
 

@@ -1,5 +1,5 @@
-// Implements updates that search for everything. These compare the pairs that they find with the previous pairs, and
-// read no kept candidates.
+// Implements full searches: updates that find the pairs of all boxes at once. A full search compares the pairs that it
+// finds with the previous pairs, and reads no kept candidates.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// Performs an update by a search for everything, which needs no data of earlier updates but the boxes. Also decides if
-// boxes have margins from now on.
+// Performs an update by a full search, which needs no data of earlier updates but the boxes. Also decides if boxes have
+// margins from now on.
 void KeptCandidates::replace_everything(const FindingUpdate& finding) {
     const auto& [table, changes, keeper, events, counts] = finding;
     const auto [forecast, common_step, lifetime_of_fast] = foresee(table, changes);

@@ -1,4 +1,4 @@
-// Finds the candidates of boxes that came, or left their fat boxes.
+// Finds the candidates of boxes that were added, or left their fat boxes.
 #include <algorithm>
 #include <utility>
 

@@ -10,10 +10,10 @@
 namespace ecods {
 
 // Adapts the lookahead so that the cost of wasted tests equals the cost of searches. Wide fat boxes make candidates
-// that are tested in vain, in proportion to the lookahead w. Boxes escape sooner from narrow fat boxes, in inverse
-// proportion to w. The sum of the costs A = a w and B = b / w is least where A = B, which is at the lookahead w sqrt(B
-// / A). Costs are summed from one search for everything to the next, since such a search is most of the work. Costs are
-// counted in tests.
+// whose tests find no overlap; their number is proportional to the lookahead w. Boxes escape sooner from narrow fat
+// boxes; the cost of the searches is inversely proportional to w. The sum of the costs A = a w and B = b / w is least
+// where A = B, which is at the lookahead w sqrt(B / A). Costs are summed from one full search (rebuild_rule.hpp) to the
+// next, since a full search is most of the work. Costs are counted in tests.
 class Lookahead {
   public:
     double updates() const noexcept { return updates_; }
@@ -27,8 +27,8 @@ class Lookahead {
         wasted_ += static_cast<double>(wasted);
         searched_ += search_cost * static_cast<double>(searched);
     }
-    // Notes the tests of a search for everything. These tests weigh less than tests in trees, since many are made at a
-    // time, but the search also sorts boxes and gives them margins.
+    // Notes the tests of a full search. A test of a full search weighs less than a test in trees, since a full search
+    // makes many tests at a time, but a full search also sorts boxes and gives boxes margins.
     void note_everything(std::uint64_t tests) noexcept { searched_ += static_cast<double>(tests); }
     void note_update() noexcept { ++updates_since_adapted_; }
 

@@ -17,7 +17,7 @@ constexpr double back = 0.125;  // margin behind a box, for turning back, as a s
 // In a moving frame, each box gets a margin of this share of its extent for its motion relative to the frame.
 constexpr double common_motion_margin = 0x1p-7;
 
-// MotionHint stores numbers of updates modulo this.
+// MotionHint stores numbers of updates modulo escape_numbers.
 constexpr std::uint32_t escape_numbers = 1u << 23;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -70,7 +70,7 @@ void Margins::add(SlotIndex slot) {
     hints_[slot] = {};
 }
 
-// Computes on all axes at once, without branches on single axes, which would be unpredictable.
+// Axes computes margins on all axes at once, without branches on single axes, which would be unpredictable.
 struct Margins::Axes {
     using Doubles = BoxEnds::Doubles;
     using Mask = MaskOf<Doubles>;

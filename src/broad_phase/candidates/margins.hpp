@@ -36,7 +36,7 @@ class Margins {
     PackedBox fat_box(const EscapedBox& escaped, const Aabb& box, const PackedBox& line, const PackedBox& fat) noexcept;
 
     // If a box has used up half of its margin, sets `fat` to a new fat box and returns true; otherwise returns false.
-    // Without a new fat box, the box would soon escape alone, which takes a look-up or another search for everything.
+    // Without a new fat box, the box would soon escape alone, which takes a look-up or another full search.
     bool renew(SlotIndex slot, const Aabb& box, const PackedBox& line, PackedBox& fat) const noexcept;
 
     // Learns along which axes boxes often turn, for example because they lie in one layer. `awake_count` is the number

@@ -94,7 +94,7 @@ void SlotTable::put_all_to_sleep() noexcept {
     awake_count_ = 0;
 }
 
-// Waits until the boxes at rest that are awake have cost enough work to pay for the pass that puts them to sleep.
+// Puts the boxes at rest to sleep once awake boxes at rest have cost as much work as the pass that puts boxes to sleep.
 bool SlotTable::put_resting_to_sleep(std::size_t moved_count) noexcept {
     constexpr std::uint64_t patience = 16;
     if (moved_count < awake_count_) updates_at_rest_ += awake_count_ - moved_count;
@@ -183,7 +183,7 @@ void SlotTable::validate(const ProxyTable& table, const MovingFrame& frame, bool
         require(!keeps_coarse_boxes() || coarse_boxes_[slot] == coarse, slot,
                 "its coarse box is another one's, or marked");
         if (!has_margins) continue;
-        // Compares the numbers, not the lanes, so that an error of the lanes shows.
+        // Compares keys of doubles, not lanes of registers, so that the check finds errors in the computation of lanes.
         const KeyBox in_frame = key_box(frame.of(table.box(proxy))), fat = key_box(fat_lines_[slot]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             require(fat.min[axis] <= in_frame.min[axis] && in_frame.max[axis] <= fat.max[axis], slot,

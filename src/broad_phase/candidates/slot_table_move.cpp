@@ -1,4 +1,4 @@
-// Copies boxes that moved from the table, and lists the boxes that left their fat boxes.
+// Copies from the proxy table the boxes that moved, and lists the boxes that left their fat boxes.
 #include "base/make_room.hpp"
 #include "broad_phase/candidates/slot_table.hpp"
 #include "simd/dispatch.hpp"

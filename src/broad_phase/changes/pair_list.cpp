@@ -184,9 +184,9 @@ void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
     }
 }
 
-// Does what patch() does, in place, without memory for a second list. Unchanged blocks move as a whole: first the
-// blocks that move towards the front, from the first one on, then the blocks that move towards the back, from the last
-// one on. So no block is overwritten before it has moved.
+// Removes `gone` from the list and inserts `come`, as patch() does, but in place, without memory for a second list.
+// Unchanged blocks move as a whole: first the blocks that move towards the front, from the first one on, then the
+// blocks that move towards the back, from the last one on. So no block is overwritten before it has moved.
 void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
     std::vector<Block> blocks;
     blocks.reserve(gone.size() + come.size() + 1);

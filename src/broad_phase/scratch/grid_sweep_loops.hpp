@@ -77,8 +77,9 @@ struct GridSweep::Loops {
                                                std::vector<std::array<SlotIndex, 2>>& found) {
         constexpr std::uint32_t width = lane_count<Lanes>;
         static_assert(width <= padding);
-        // Processes the hits between two boxes, once there are at least `enough`. A branch for each eight boxes that
-        // asks if there are hits would cost more than the tests, as it is unpredictable.
+        // Processes noted hits only after a box has been tested against all its successors, and only if there are at
+        // least `enough` hits or the sweep of the cell ends. A branch on each group of tests would be unpredictable,
+        // and would cost more than the tests.
         constexpr std::size_t enough = 512;
         if (hits.size() < enough + count / width + 1) hits.resize(enough + count / width + 1);
         Hits* const noted = hits.data();

@@ -67,9 +67,9 @@ bool sort_some(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, 
     std::size_t sorted = 0;  // ends before this position are sorted
     for (const std::uint32_t position : state.positions) {
         if (position < sorted) continue;
-        // Ends before `position` are sorted. Inserts the changed end at `position`, and then each further end that is
-        // out of order with the end before it. At the first end that is in order the loop stops: the ends behind it are
-        // sorted up to the next changed position.
+        // Inserts the changed end at `position` into the ends before it, which are sorted, and then each further end
+        // that is out of order with the end before it. At the first end that is in order the loop stops: the ends
+        // behind it are sorted up to the next changed position.
         sorted = position;
         do {
             sink(ends, sorted, state);

@@ -1,7 +1,8 @@
 // bvh/masks/projected_lanes.hpp includes this source once for each instruction set.
 
-// Projects eight lanes in registers of `width` floats: four, which every x86-64 processor has, or eight. Operations and
-// their order are the same in every lane, so the bits of results do not depend on the width.
+// Projects the eight boxes or triangles of a node onto three axes, in registers of `width` floats. `width` is 4, which
+// every x86-64 processor has, or 8. Operations and their order are the same in every lane, so the bits of results do
+// not depend on the width.
 template <std::size_t width>
 struct ProjectedLanes {
     using Floats = Vec<float, width>;

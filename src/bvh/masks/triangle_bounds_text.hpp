@@ -59,7 +59,7 @@ struct BoundsKernel : ProjectedLanes<float_width> {
             }
             const Vector n = cross(e[2], e[0]);
             const Floats inverse_n = 1 / dot(n, n);
-            // With e = e[0] and e' = -e[2]: u = e' x n / n . n, w = n x e / n . n.
+            // u is e' x n / n . n, and w is n x e / n . n, where e = e[0] and e' = -e[2].
             u = scale(inverse_n, cross(n, e[2]));
             w = scale(inverse_n, cross(n, e[0]));
         }

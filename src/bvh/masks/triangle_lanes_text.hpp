@@ -9,9 +9,9 @@ ECODS_ALWAYS_INLINE LaneVector<Number> operator-(const LaneVector<Number>& a, co
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-// Decides pairs of triangles in the coordinates of the axes, a linear map of world coordinates. Triangles that are
-// apart in these coordinates are disjoint in the world. If the map is a bijection, triangles that cross in these
-// coordinates cross in the world, too.
+// TriangleLanes finds pairs of triangles that are proven disjoint, or proven to cross, in the coordinates of the axes.
+// These coordinates are a linear map of world coordinates. Triangles that are apart in these coordinates are disjoint
+// in the world. If the map is a bijection, triangles that cross in these coordinates cross in the world, too.
 struct TriangleLanes : ProjectedLanes<float_width> {
     static constexpr float extent_max = 0x1p40f;
 
@@ -103,9 +103,10 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         }
     };
 
-    // Decides the pairs in `near`: each lane has a pair of a triangle p with normal n and a triangle q with normal m. n
-    // has plain numbers if p is the same in all lanes. `extent` is, by axis, the length of the interval that contains
-    // both triangles, and `delta` the error bound of a corner.
+    // Returns the pairs in `near` that are not proven disjoint, and the pairs that are proven to cross. Each lane has
+    // one pair: a triangle p with normal n, and a triangle q with normal m. If p is the same in all lanes, n has
+    // scalars instead of lanes. `extent` is, by axis, the length of the interval that contains both triangles, and
+    // `delta` the error bound of a corner.
     //
     // Bound, with v = 2^-23, d the error of a corner and E the extents of both triangles. Rounding: differences and the
     // determinant of exact/sign/filter_bound.hpp, with v for u', are off by less than 46.01 v ExEyEz. Input errors:
@@ -115,10 +116,10 @@ struct TriangleLanes : ProjectedLanes<float_width> {
     // The bound below has 6.25 (tx + ty + tz). A sign is certain only if the computed determinant, which is at most 4,
     // exceeds this bound. Then tx + ty + tz is below 0.65, so the terms of higher order raise the factor 4 of tx + ty +
     // tz to less than 5. 49 v also covers the bound's own evaluation. (Extents are not enlarged by d: spans of the
-    // first tree have no margin.) Overflow: none for extents below 2^40; larger triangles are not judged. (A mode that
-    // rounds down may turn a determinant into -infinity, and the bound only into the largest float.) Underflow: a
-    // product of three numbers loses 2^-126 times an extent. The extents that matter are near one, since coordinates
-    // that decide are below 4 in size, or delta is above 2^-20 of them. 2^-100 is added.
+    // first tree have no margin.) Overflow: none for extents below 2^40. Triangles with an extent of 2^40 or more stay
+    // undecided. (A mode that rounds down may turn a determinant into -infinity, and the bound only into the largest
+    // float.) Underflow: a product of three numbers loses 2^-126 times an extent. The extents that matter are near one,
+    // since coordinates that decide are below 4 in size, or delta is above 2^-20 of them. 2^-100 is added.
     // Claim: verify/proofs/float_determinants.py
     template <class NormalOfP>
     ECODS_ALWAYS_INLINE static Found decide(const std::array<float, 4>& delta, const Vectors (&p)[3],
@@ -150,7 +151,7 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         return found;
     }
 
-    // Decides the pairs in `near`, as decide() does. `rows` must contain all bits that lanes of `near` have.
+    // Returns the result of decide() for the pairs in `near`. `rows` must contain all bits that lanes of `near` have.
     ECODS_ALWAYS_INLINE static Found find(const std::array<float, 4>& delta, const Corners& x, const Spans& x_spans,
                                           const Normals& x_normals, const Corners& y, const Spans& y_spans,
                                           std::size_t part, Ints near, std::uint32_t rows) noexcept {

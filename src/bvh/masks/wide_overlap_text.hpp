@@ -1,6 +1,7 @@
 // bvh/masks/overlap_mask.cpp includes this source for registers of sixteen floats.
 
-// Does the same as OverlapKernel, for two lanes of y at once: a mask of sixteen bits is two bytes of the result.
+// WideOverlap tests pairs of lanes as OverlapKernel does, but two lanes of y at once: a mask of sixteen bits is two
+// bytes of the result.
 struct WideOverlap : avx2::ProjectedLanes<8> {
     using AxisSets = std::array<AxisSet, 2>;
 
@@ -33,7 +34,7 @@ struct WideOverlap : avx2::ProjectedLanes<8> {
         return not_outside(low, high, axis.low, axis.high);
     }
 
-    // Returns the same as OverlapKernel::find.
+    // Returns the result of OverlapKernel::find for these arguments.
     template <class X, class Y>
     [[gnu::noinline]] static TrianglePairs find(const AxisSets& sets, const X& x, const Y& y) noexcept {
         std::uint64_t pairs = ~std::uint64_t{0} >> (64 - tree_width * y.count);

@@ -10,16 +10,16 @@
 
 namespace ecods {
 
-// Marks the pairs of lanes i < j, as bits 8 j + i. For a node with itself these are all pairs of different lanes, once
-// each.
+// Marks the pairs of lanes i < j, as bits 8 j + i. For a node paired with itself, these pairs are all pairs of
+// different lanes, once each.
 inline constexpr std::uint64_t lesser_lane_first = [] {
     std::uint64_t bits = 0;
     for (std::size_t j = 0; j < tree_width; ++j) bits |= ((std::uint64_t{1} << j) - 1) << (tree_width * j);
     return bits;
 }();
 
-// Calls `bound`, and for a node with itself keeps only the pairs of lanes i < j. It has no order(), so children are not
-// reordered.
+// Returns the mask that `bound` returns; for a node paired with itself, only the pairs of lanes i < j in that mask. The
+// struct has no order(), so children are not reordered.
 template <class Bound>
 struct SelfBound {
     Bound& bound;

@@ -33,7 +33,7 @@ Doubles exact_doubles(py::handle value, const char* what, std::span<const py::ss
 // Returns the numbers of an array of points, whose shape is (n, 3).
 Doubles exact_points(py::handle value, const char* what);
 
-// Returns the shape as text, such as "(3, 4)".
+// Returns the shape of the array as text, such as "(3, 4)".
 std::string shape_text(const py::array& array);
 
 // Returns the name of the value's type, such as "list".
