@@ -1,4 +1,4 @@
-// Makes the errors about arguments of builders.
+// Makes the errors that builders throw for bad arguments.
 #include <string>
 
 #include "base/make_error.hpp"

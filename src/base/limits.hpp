@@ -10,8 +10,8 @@ namespace ecods {
 
 inline constexpr std::int64_t infinity_key = key_of(std::numeric_limits<double>::infinity());
 
-// Both functions throw InvalidArgument if d is negative or NaN. require_finite_distance throws it also if d is
-// infinite.
+// Both functions throw InvalidArgument if d is negative or NaN. require_finite_distance also throws InvalidArgument if
+// d is infinite.
 inline void require_distance(double d) {
     if (!is_from_zero(d)) throw invalid_distance(d);
 }

@@ -14,7 +14,7 @@ class Sha256 {
   public:
     using Digest = std::array<std::uint32_t, 8>;
 
-    // Adds the next piece of the text. The digest does not depend on how the text is cut into pieces.
+    // Adds the next piece of the text to the digest. The digest does not depend on how the text is cut into pieces.
     void operator()(std::string_view piece) noexcept;
 
     // Returns the digest of all pieces. No piece may be added afterwards.

@@ -8,11 +8,13 @@
 namespace ecods {
 namespace {
 
-// With larger coordinates, differences, and their products with the frame, may overflow.
+// Bounds the coordinates of a mesh that gets a frame. With larger coordinates, differences of coordinates, and their
+// products with the frame, may overflow.
 constexpr double coordinate_max = 0x1p900;
 constexpr double scale_min = 0x1p-900;
 
-// The axes are chosen from a sample of about this many triangles. A sample suffices, since any axes give right boxes.
+// The axes are chosen from a sample of about this many triangles. A sample suffices, since boxes on any axes contain
+// their triangles.
 constexpr std::size_t sample_size_max = 4096;
 
 struct Range {

@@ -14,8 +14,8 @@
 
 namespace ecods {
 
-// Holds the six sides of a box that moves with constant velocity from time 0 on. A segment or ray is such a box, too: a
-// moving point, whose times are the parameters of the line.
+// Holds the six sides of a box that moves with constant velocity from time 0 on. A segment or ray counts as a moving
+// box, too: as a moving point, whose times are the parameters of the line.
 //
 // For each side, the side of another box that faces it is its partner. In the direction out of the moving box, the side
 // is at p + s v at time s, and its partner at e. The two boxes share a point on that axis at the times at which e <= p

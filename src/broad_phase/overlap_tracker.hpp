@@ -75,7 +75,7 @@ class OverlapTracker {
     // box, or for each other box if many are chosen.
     void find_pairs_with(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
 
-    // Does what find_pairs_with() does, but appends only pairs of two chosen proxies.
+    // Appends to `found` the pairs that find_pairs_with() appends, but only pairs of two chosen proxies.
     void find_pairs_among(std::span<const ProxyIndex> chosen, std::span<const Aabb> boxes, ProxyPairs& found) const;
     FindCounts find_counts() const noexcept;
 

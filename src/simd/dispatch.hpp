@@ -75,7 +75,7 @@ ECODS_ALWAYS_INLINE decltype(auto) dispatch_by_width(Arguments&&... arguments) {
 #endif
 
 // Named<f> is a type that stands for the function f. With g++'s undefined-behaviour sanitizer, the comparison of two
-// functions' addresses is no constant expression, but the comparison of two such types is one.
+// functions' addresses is no constant expression, but the comparison of two types Named<f> is one.
 template <auto function>
 struct Named {};
 

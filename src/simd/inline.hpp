@@ -8,6 +8,6 @@
 #endif
 
 // ECODS_INLINE_LAMBDA must follow the parameters of each lambda that takes or returns vectors by value and is called
-// from functions of several instruction sets. If such a lambda were not inlined, caller and lambda could disagree on
+// from functions of several instruction sets. If the lambda were not inlined, caller and lambda could disagree on
 // passing vectors in memory or in registers: without optimization the program crashed.
 #define ECODS_INLINE_LAMBDA __attribute__((always_inline))

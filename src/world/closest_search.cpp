@@ -5,9 +5,10 @@
 
 namespace ecods {
 
-// If `reach` is empty, a pair with a distance >= 0 cannot win, and a pair is asked only if it has a signed distance and
-// a bound from the boxes allows its depth to win. A signed distance is computed with its points, which cost little
-// more. All other points are computed at the end, only for the pair that has won.
+// Tests the pair only if it can win. If `reach` is empty, a pair with a distance >= 0 cannot win: then the pair is
+// tested only if it has a signed distance and a bound from the boxes allows its depth to win. A signed distance is
+// computed with its points, which cost little more. All other points are computed at the end, only for the pair that
+// has won.
 double ClosestSearch::offer(ProxyPair pair) {
     if (least_.has_name() && least_.name() == pair) return bound();
     const PairQuestion asked(bodies_, tests_, pair);

@@ -1,4 +1,4 @@
-// ClosestSearch keeps the closest of the pairs that are offered to it. It asks the two-body test only for pairs that
+// ClosestSearch keeps the closest of the pairs that are offered to it. It calls the two-body test only for pairs that
 // may be closer.
 #pragma once
 
@@ -26,7 +26,8 @@ class ClosestSearch {
           hints_(ClosestMemory::of(memory)),
           least_(limit) {}
 
-    // Offers a pair that is not filtered out; a pair may be offered again. Returns bound().
+    // Makes the pair the closest pair so far if it is closer than the previous one. The pair must not be filtered out;
+    // it may be offered again. Returns bound().
     double offer(ProxyPair pair);
 
     // Returns true if a pair whose distance has this lower bound (>= 0) may win.

@@ -17,8 +17,9 @@ class FirstMet {
   public:
     explicit FirstMet(double max_time) : least_(max_time) {}
 
-    // Offers a body: `ask(max_time)` returns the first event with the body up to that time, or nullopt; or an event
-    // that is later. Returns the upper bound of the times of later bodies that may win.
+    // Replaces the best body so far by this body if its first event is earlier, or ties and has the lesser proxy.
+    // `ask(max_time)` returns the first event with the body up to max_time; if there is none, nullopt or a later event.
+    // Returns an upper bound of the times with which bodies offered later may win.
     template <class Function>
     double take(ProxyIndex proxy, const Function& ask) {
         const auto reach = least_.reach(proxy);
@@ -27,7 +28,9 @@ class FirstMet {
         if (event && least_.take(proxy, event->time)) event_ = *event;
         return least_.bound();
     }
-    // Offers the bodies that the box, translated, may meet, earliest first. `ask(slot, max_time)` is as above.
+    // Calls take() for the bodies that `box`, translated by `motion`, may meet, earliest first, except the bodies that
+    // a question about the subject skips. `ask(slot, max_time)` returns the event with the body in the slot, as for
+    // take().
     template <class World, class Function>
     void visit(const World& world, const Subject& subject, const Aabb& box, const Vec3& motion, const Function& ask) {
         world.broad_phase.visit_along(box, motion, bound(), [&](ProxyIndex proxy) {
@@ -48,7 +51,8 @@ class FirstMet {
 using FirstBodyMet = FirstMet<BodyContact, FirstContact>;
 using FirstBodyEntered = FirstMet<BodyEntry, FirstEntry>;
 
-// Makes a search for a translated subject. Throws InvalidArgument for a bad motion or time.
+// Returns a new search for a subject that is translated by `motion` up to max_time. Throws InvalidArgument if the
+// motion is not finite, or the time is negative or NaN.
 template <class Search>
 Search search_along(const Vec3& motion, double max_time) {
     validate_motion(motion);

@@ -42,7 +42,8 @@ class HalfSpaceTest : public TwoBodyTest {
     }
 };
 
-// Adds `closest`, which meshes and rounded bodies have with a half space.
+// Answers `closest` besides the questions of HalfSpaceTest: meshes and rounded bodies have closest points with a half
+// space.
 template <class First>
 class BodyHalfSpaceTest : public HalfSpaceTest<First> {
   public:
@@ -54,7 +55,7 @@ class BodyHalfSpaceTest : public HalfSpaceTest<First> {
     }
 };
 
-// Adds casts between poses.
+// Answers casts of bodies that move between poses, besides the questions of Base.
 template <class Base, class First>
 class MovingHalfSpaceTest final : public Base {
   public:

@@ -5,7 +5,7 @@
 
 namespace ecods {
 
-// Adds the tests of half spaces with meshes, with rounded bodies, and with each other.
+// Adds to `tests` the tests of half spaces with meshes, with rounded bodies, and with each other.
 void add_half_space_tests(TwoBodyTests& tests);
 
 }  // namespace ecods

@@ -41,8 +41,8 @@ class Least {
         return key < number_ || (key == number_ && name < name_);
     }
 
-    // Offers a candidate whose unrounded number is within reach(name). Returns true if the candidate becomes the least
-    // so far.
+    // Takes a candidate whose unrounded number is at most reach(name), and its rounded number. Returns true if the
+    // candidate becomes the least so far.
     bool take(const Name& name, double rounded) noexcept {
         const std::int64_t key = key_of(rounded);
         if (has_name_ && (key > number_ || (key == number_ && !(name < name_)))) return false;

@@ -1,5 +1,5 @@
-// PairQuestion asks how far two bodies of a world are from each other. The distance has a sign where ClosestPair says
-// so.
+// PairQuestion computes the distance and the closest points of two bodies of a world. The distance is signed where
+// ClosestPair says so.
 #pragma once
 
 #include <optional>

@@ -10,7 +10,8 @@ void PairRelations::add_test(const Verdict& verdict, bool collides, const Bodies
     if (is_related) tests_.push_back({verdict.bodies, Relation::apart});
 }
 
-// Adds the pairs that the update neither tested nor filtered out: their last verdict holds.
+// Calls add_test() for each pair that the update neither tested nor filtered out, because the last verdict of the pair
+// holds.
 void PairRelations::add_untouched(const Bodies& bodies, const VerdictCache& verdicts) {
     for (VerdictIndex index = 0; index < verdicts.size(); ++index) {
         const Verdict& verdict = verdicts[index];

@@ -23,8 +23,8 @@ class PairVerdicts {
   public:
     void reserve_bodies(std::size_t count) { verdicts_.reserve(0, count); }
 
-    // Updates the tracker, and then adds and removes pairs until the stored pairs are those whose boxes overlap. Adds
-    // to `visited_pairs` the number of pairs that it processes; so does collect().
+    // Updates the tracker, and then adds and removes pairs until the stored pairs are exactly the pairs whose boxes
+    // overlap. Adds to `visited_pairs` the number of pairs that it processes; so does collect().
     void follow(OverlapTracker& tracker, const Bodies& bodies, std::uint64_t& visited_pairs);
 
     // Sets tests() to the pairs that have a changed body or were switched on or off; to all pairs if `all_are_void`.

@@ -8,7 +8,7 @@
 
 namespace ecods {
 
-// Adds the tests of rounded shapes with each other and with meshes.
+// Adds to `tests` the tests of rounded shapes with each other and with meshes.
 void add_rounded_tests(TwoBodyTests& tests);
 
 // Returns a rounded shape or a mesh, of whatever form, as a core and a radius; nullopt for any other shape.

@@ -15,7 +15,7 @@ namespace ecods {
 
 class StraightMoves {
   public:
-    // Adds a body that moves straight to the pose `end`, or stays where it is if `end` is null.
+    // Adds to the moves a body that moves straight to the pose `end`, or stays at rest if `end` is null.
     void add(const Posed<Shape>& body, const Pose* end);
 
     // Returns true if a body was added that is not translated. Bodies that are no mesh and not rounded do not count.

@@ -85,8 +85,8 @@ std::optional<BodyContact> World::cast_to_distance(const Asked& asked, const Vec
     return w.traced_of<calls::CastToDistance>(ask, first.answer(w.bodies), asked, motion, distance, max_time);
 }
 
-// Casts against each body once, when the first piece of the way that may meet it is visited; the cast goes on to the
-// end of the motion.
+// Casts the subject against each body once, when the search visits the first piece of the way that may meet the body.
+// The cast is not limited to that piece.
 std::optional<BodyContact> World::cast(const Asked& asked, const Motion& motion, double max_time,
                                        const Ask& ask) const {
     if (const auto* const by = std::get_if<Translation>(&motion)) return cast(asked, by->by, max_time, ask);
@@ -105,7 +105,7 @@ std::optional<BodyContact> World::cast(const Asked& asked, const Motion& motion,
             return cast_of(test, subject.posed, motion, slot.posed(), limit, asking.memory());
         });
     };
-    std::vector<ProxyIndex> known, fresh;  // known: bodies already asked, ascending
+    std::vector<ProxyIndex> known, fresh;  // known: bodies already tested, ascending
     const auto search = [&](double from, const Aabb& box, bool may_divide) {
         if (key_of(from) > key_of(first.bound())) return TurnBoxes::Next::stop;
         fresh.clear();

@@ -35,7 +35,7 @@ void find_members(const Bodies& bodies, const GroupPair& groups, std::vector<Pro
     if (b.size() < a.size()) a.swap(b);
 }
 
-// Offers all pairs of two short lists of bodies, pairs with the closest boxes first.
+// Offers all pairs of two short lists of bodies to the search, pairs with the closest boxes first.
 void offer_few(ClosestSearch& search, const Bodies& bodies, const OverlapTracker& boxes, ClosestMemory::Lists& lists) {
     auto& candidates = lists.candidates;
     candidates.clear();
@@ -56,8 +56,8 @@ void offer_few(ClosestSearch& search, const Bodies& bodies, const OverlapTracker
     }
 }
 
-// Offers the pairs of two long lists of bodies that may be close enough: visits, for each body of the smaller group,
-// the boxes near it.
+// Offers to the search the pairs of two long lists of bodies that may be close enough: visits, for each body of the
+// smaller group, the boxes near this body.
 void offer_many(ClosestSearch& search, const Bodies& bodies, const OverlapTracker& boxes, const GroupPair& groups,
                 std::span<const ProxyIndex> members) {
     for (const ProxyIndex a : members) {

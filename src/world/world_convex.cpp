@@ -20,7 +20,7 @@ namespace ecods {
 
 namespace {
 
-// Prefetches data of bodies that come some places after `proxy`; their SolidInMemory objects will be made from it.
+// Prefetches the data of bodies some places after `proxy`, from which their SolidInMemory objects will be made.
 void prefetch_after(const Bodies& bodies, ProxyIndex proxy) noexcept {
     constexpr ProxyIndex solids_ahead = 16, parts_ahead = 8;
     if (bodies.end() - proxy > solids_ahead)

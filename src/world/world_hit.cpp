@@ -92,8 +92,8 @@ std::vector<BodyHit> find_all(const SegmentOrRay& asked, const Targets& targets,
     return result;
 }
 
-// Asks about each line. A trace holds each line as a question of its own, as it does for one line: if `ask` has no
-// memory.
+// Returns the hits of each line, found by one all_hits() for each line. So a trace records each line as a question of
+// its own, if `ask` has no memory.
 template <class SegmentOrRay>
 BodyHitLists find_lists(const World& world, std::span<const SegmentOrRay> lines,
                         const std::optional<CollisionFilter>& filter, const Ask& ask) {

@@ -84,7 +84,7 @@ void require_valid(const Motion& motion, BodyId body, std::size_t index) {
     }
 }
 
-// Throws NotSupported if a body of the world goes straight to a pose that rounded bodies have no cast for.
+// Throws NotSupported if a body of the world moves straight to a pose, and rounded bodies have no cast for this move.
 void require_straight_casts(const Ways& ways, const Bodies& bodies, const TwoBodyTests& tests) {
     const auto end_of = [&](ProxyIndex proxy) {
         return ways.has(proxy) ? straight_end(bodies[proxy].pose, ways.motion(proxy)) : nullptr;

@@ -16,8 +16,9 @@ Least<Name> least_within(double limit) {
     return Least<Name>(limit);
 }
 
-// Offers a candidate to `least`. Calls distance() only if within() says that the candidate is near enough to win.
-// Returns an upper bound of the distances with which later candidates can win.
+// Makes `name` the candidate of `least` if its distance is the least so far. Calls distance() only if within(limit) is
+// true for the greatest distance with which the candidate can win. Returns an upper bound of the distances with which
+// later candidates can win.
 template <class Name, class Within, class Distance>
 double take(Least<Name>& least, Name name, const Within& within, const Distance& distance) {
     const auto reach = least.reach(name);

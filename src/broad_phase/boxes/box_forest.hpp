@@ -35,8 +35,8 @@ class BoxForest {
     // Sets the box of every slot that is in a tree to lines[slot]. Cost: n.
     void refit(std::span<const PackedBox> lines);
 
-    // Adds boxes. If the tree for the size of a box has the position of a removed box near it, the box takes that
-    // position. The other boxes get an unsorted tree.
+    // Adds boxes to the forest. If the tree for the size of a box has the position of a removed box near it, the box
+    // takes that position. The other boxes get an unsorted tree.
     void add(std::span<const Item> items, std::span<const PackedBox> lines);
 
     // Sets the box of a slot, or removes the slot. Does nothing to a slot that is in no tree.

@@ -83,8 +83,8 @@ class BoxTree {
         return levels_[0][position / BoxBlock::width].get(position % BoxBlock::width);
     }
 
-    // These functions give access to walks in other files. Level 0 holds boxes; the last level is one block. Child
-    // `lane` of block b on a level above 0 is block b * 8 + lane of the level below.
+    // The next functions give walks in other files access to the blocks. Level 0 holds boxes; the last level is one
+    // block. Child `lane` of block b on a level above 0 is block b * 8 + lane of the level below.
     std::uint32_t level_count() const noexcept { return static_cast<std::uint32_t>(levels_.size()); }
     const BoxBlock& block(std::uint32_t level, std::uint32_t index) const { return levels_[level][index]; }
 

@@ -23,8 +23,8 @@ struct alignas(32) CoarseBox {
     std::array<std::int32_t, 8> ends = {beyond_all, beyond_all, beyond_all, ~beyond_all,
                                         beyond_all, beyond_all, beyond_all, ~beyond_all};  // the empty box
 
-    // Makes the overlap of this box with any other doubtful: the last number then equals the lane that it is compared
-    // with.
+    // Makes the overlap of this box with any other box doubtful: the last number then equals the lane that it is
+    // compared with.
     void mark() noexcept { ends[7] = beyond_all; }
     void unmark() noexcept { ends[7] = ~beyond_all; }
 

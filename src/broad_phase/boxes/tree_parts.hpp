@@ -94,7 +94,7 @@ class BoundedPart {
     std::uint32_t index() const noexcept { return static_cast<std::uint32_t>(place_ >> 24); }
     std::uint32_t tree() const noexcept { return static_cast<std::uint32_t>(place_) & 0xffffff; }
 
-    // Compares without branches, as the outcome is unpredictable.
+    // Compares two parts without branches, as the outcome is unpredictable.
     ECODS_ALWAYS_INLINE friend bool operator<(const BoundedPart& a, const BoundedPart& b) noexcept {
         return ((a.lower_ < b.lower_) | ((a.lower_ == b.lower_) & (a.place_ < b.place_))) != 0;
     }

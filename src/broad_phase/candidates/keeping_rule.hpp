@@ -7,8 +7,9 @@
 
 namespace ecods {
 
-// Decides from counts alone, never from clocks, so that runs are repeatable. The unit of work is about a nanosecond, as
-// measured for 10,000 boxes on one machine (bench, suite broad). Only ratios matter, and no answer depends on them.
+// A KeepingRule decides from counts alone, never from clocks, if updates keep candidates, so that runs are repeatable.
+// The unit of work is about a nanosecond, as measured for 10,000 boxes on one machine (bench, suite broad). Only ratios
+// matter, and no answer depends on them.
 class KeepingRule {
   public:
     // Holds estimates for an update, made before it.
@@ -31,8 +32,8 @@ class KeepingRule {
     // Returns true if the last decision was to keep nothing: then the next update makes a full search.
     bool searches() const noexcept { return is_scratch_; }
 
-    // Decides if boxes have margins from now on: if so, sets lifetime() and returns true. Otherwise returns false. Call
-    // only in an update that makes a full search.
+    // Returns true if boxes have margins from now on, and then sets lifetime(). Otherwise returns false. Call only in
+    // an update that makes a full search.
     bool pays(const Forecast& forecast) noexcept;
     double lifetime() const noexcept { return lifetime_; }  // number of updates that these margins shall last
 

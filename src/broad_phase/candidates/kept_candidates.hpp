@@ -20,18 +20,18 @@
 
 namespace ecods {
 
-// Keeps the pairs of boxes that may overlap during the next updates, and tests only these. Each box lies in a fat box,
-// with a margin within which it can go on moving as it does (margins.hpp). As long as boxes stay in their fat boxes,
-// two boxes can overlap only if their fat boxes do. A box that moves is awake, and stays awake until it has been at
-// rest for a while (slot_table.hpp). The candidates are the pairs whose fat boxes overlap, with at least one box awake.
-// An update tests all candidates in one pass, and no other pairs (candidate_list.hpp). A box that escaped from its fat
-// box gets a new fat box, and looks for new candidates in trees of fat boxes; a box that wakes up looks for candidates
-// with its old fat box (fat_forest.hpp). If many boxes escaped (rebuild_rule.hpp), a full search finds the pairs of all
-// boxes at once, by a sweep from scratch, and the result is compared with the previous pairs. If most updates would
-// need a full search, boxes have no margins, no box is awake, and each update searches for the overlapping pairs from
-// scratch (keeping_rule.hpp).
+// Keeps the pairs of boxes that may overlap during the next updates, and tests only these pairs. Each box lies in a fat
+// box, with a margin within which it can go on moving as it does (margins.hpp). As long as boxes stay in their fat
+// boxes, two boxes can overlap only if their fat boxes do. A box that moves is awake, and stays awake until it has been
+// at rest for a while (slot_table.hpp). The candidates are the pairs whose fat boxes overlap, with at least one box
+// awake. An update tests all candidates in one pass, and no other pairs (candidate_list.hpp). A box that escaped from
+// its fat box gets a new fat box, and looks for new candidates in trees of fat boxes; a box that wakes up looks for
+// candidates with its old fat box (fat_forest.hpp). If many boxes escaped (rebuild_rule.hpp), a full search finds the
+// pairs of all boxes at once, by a sweep from scratch, and the result is compared with the previous pairs. If most
+// updates would need a full search, boxes have no margins, no box is awake, and each update searches for the
+// overlapping pairs from scratch (keeping_rule.hpp).
 //
-// The pairs are right for any fat boxes that contain their boxes; how fat they are only matters for speed.
+// The pairs are right for any fat boxes that contain their boxes; the size of the margins affects only the speed.
 class KeptCandidates final : public PairFinder {
   public:
     void build(const ProxyTable& table, BroadPhaseCounts& counts) override;

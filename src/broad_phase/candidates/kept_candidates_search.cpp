@@ -90,7 +90,7 @@ void KeptCandidates::link(std::size_t begin, std::size_t end, Update& update) {
 }
 
 // Adds a pair found by a look-up to the candidates if one of its boxes is awake, and reports it if its boxes overlap.
-// Skips the pair if its fat boxes overlapped before: then the list and the reported pairs are right already. If the fat
+// Skips the pair if its fat boxes overlapped before: then the list and the reported pairs need no change. If the fat
 // boxes did not overlap before, the boxes did not overlap either, so boxes that overlap now have just begun to.
 void KeptCandidates::link(SlotIndex slot, const PackedBox& old_fat, const LookUps::NewPartner& found,
                           const Update& update) {

@@ -27,8 +27,8 @@ class LookUps {
         // `looked_up` is the flag of all slots that are looked up together. If two of these slots find each other, only
         // the lower slot reports the pair.
         unsigned looked_up;
-        // `has` is a set of flags. A found partner that has all of them is known, as a candidate with the query, if its
-        // fat box overlaps the old fat box of the query; all other partners are new.
+        // `has` is a set of flags. A found partner that has all flags of the set is known to be a candidate with the
+        // query if the fat box of the partner overlaps the old fat box of the query; all other partners are new.
         unsigned has;
     };
 

@@ -13,8 +13,8 @@
 
 namespace ecods {
 
-// Makes fat boxes, and stores for each slot how its box moved. Any fat box that contains its box is right; how fat it
-// is only matters for speed.
+// Makes fat boxes, and stores for each slot how its box moved. Any fat box that contains its box gives right pairs; the
+// size of the margin affects only the speed.
 class Margins {
   public:
     static constexpr double widest = 0.75;         // widest margin, as a share of the extent

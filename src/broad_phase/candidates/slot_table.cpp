@@ -94,7 +94,7 @@ void SlotTable::put_all_to_sleep() noexcept {
     awake_count_ = 0;
 }
 
-// Puts the boxes at rest to sleep once awake boxes at rest have cost as much work as the pass that puts boxes to sleep.
+// Puts to sleep the awake boxes at rest, once these boxes have cost as much work as the pass that puts boxes to sleep.
 bool SlotTable::put_resting_to_sleep(std::size_t moved_count) noexcept {
     constexpr std::uint64_t patience = 16;
     if (moved_count < awake_count_) updates_at_rest_ += awake_count_ - moved_count;

@@ -104,9 +104,9 @@ class SlotTable {
     void widen(SlotIndex slot, const PackedBox& fat);
     void put_all_to_sleep() noexcept;
 
-    // Puts the awake boxes to sleep that have not moved since the last such pass, and returns true. Returns false,
-    // without a pass, until awake boxes at rest have cost as much as the pass. Call after each update; `moved_count`
-    // boxes moved in it.
+    // Puts the awake boxes to sleep that have not moved since the last pass of this function, and returns true. Returns
+    // false, without a pass, until awake boxes at rest have cost as much as the pass. Call after each update;
+    // `moved_count` boxes moved in it.
     bool put_resting_to_sleep(std::size_t moved_count) noexcept;
 
     // The functions down to forget_changes() handle slots whose fat boxes changed.

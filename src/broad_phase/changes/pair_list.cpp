@@ -190,7 +190,7 @@ void PairList::patch(const ProxyPairs& gone, const ProxyPairs& come) {
 void PairList::patch_in_place(const ProxyPairs& gone, const ProxyPairs& come) {
     std::vector<Block> blocks;
     blocks.reserve(gone.size() + come.size() + 1);
-    std::vector<std::size_t> places;  // places of the pairs that come
+    std::vector<std::size_t> places;  // places of the pairs in `come`
     places.reserve(come.size());
     const std::size_t size = find_blocks(list_, gone, come, blocks, places);
     if (size > list_.size()) grow_to(list_, size);

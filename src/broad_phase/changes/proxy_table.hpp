@@ -83,7 +83,7 @@ class ProxyTable {
         queued_at_[proxy] = turn_;
     }
 
-    // These three vectors are indexed by proxy.
+    // The next three vectors are indexed by proxy.
     std::vector<std::uint8_t> states_;
     std::vector<Aabb> boxes_;
     std::vector<std::uint32_t> queued_at_;  // turn in which the proxy was last put into queue_

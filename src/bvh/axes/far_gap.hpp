@@ -56,7 +56,8 @@ class FarGap {
     double margin_ = 0;
 };
 
-// Does the same as near_mask(), with ranks in place of squared distances.
+// Returns a mask of the pairs of lanes whose rank is not proven to exceed `limit`; bit 8 j + i is for lane i of x and
+// lane j of y. Sets `ranks` to lower bounds of the ranks of these pairs.
 template <class X, class Y>
 std::uint64_t far_mask(const FarGap& gap, float limit, const X& x, const Y& y, LaneBounds& ranks) noexcept;
 

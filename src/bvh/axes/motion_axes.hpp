@@ -71,8 +71,8 @@ class MotionAxes {
   public:
     // Binds two moving trees. d_from and d_to are fl(t_b - t_a) at the start and at the end.
     void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to);
-    // Binds two trees whose bodies are at all times within a margin of such a motion. The margin enlarges the boxes of
-    // b.
+    // Binds two trees whose bodies are at all times within a margin of straight motions. The margin enlarges the boxes
+    // of b.
     void bind(const MovingTree& a, const MovingTree& b, const Vec3& d_from, const Vec3& d_to,
               const MotionMargin& margin);
 

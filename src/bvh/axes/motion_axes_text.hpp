@@ -31,8 +31,8 @@ ECODS_ALWAYS_INLINE Double4 squares_across(const Matrix4& normals, const Vec3& a
     return (over_x * over_x + over_y * over_y) + over_z * over_z;
 }
 
-// Adds a distance in the world to the reach of b's boxes on three axes. Rounding of products is within
-// margin.everywhere.
+// Enlarges the reach of b's boxes on three axes by `margin`, which is given in the world. Rounding of products is
+// within margin.everywhere.
 ECODS_ALWAYS_INLINE void widen(AxisSet& set, const Matrix4& normals, const MotionMargin& margin) noexcept {
     const Double4 &x = normals.column[0], &y = normals.column[1], &z = normals.column[2];
     const double* const m = margin.along.data();

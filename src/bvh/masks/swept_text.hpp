@@ -1,8 +1,8 @@
 // bvh/masks/time_masks.cpp includes this source once for each instruction set.
 
-// Holds reciprocals of a closing speed. They are rounded such that gap * to_begin is a lower bound of the time at which
-// two intervals meet, and distance * to_end an upper bound of the time at which they part, for the distance until they
-// have passed each other.
+// Holds two reciprocals of a closing speed. The reciprocals are rounded such that gap * to_begin is a lower bound of
+// the time at which two intervals meet, and distance * to_end an upper bound of the time at which they part, for the
+// distance until they have passed each other.
 struct Pace {
     float to_begin, to_end;
 

@@ -47,7 +47,7 @@ struct NearLeaves::Lanes : ProjectedLanes<width> {
         return bits_of(lanes);
     }
 
-    // Adds a leaf to the list. box(k) returns the center and the half size of its box on axis k.
+    // Adds `leaf` to the list `to`. box(k) returns the center and the half size of its box on axis k.
     template <class Box>
     ECODS_ALWAYS_INLINE static void add(NearLeaves& to, TreeRef leaf, const Box& box) noexcept {
         Group& group = to.groups_[to.leaf_count_ / tree_width];

@@ -33,7 +33,7 @@ class NearestQueue {
         free_ = none;
     }
 
-    // Adds a pair. pair.square must be at most the limit that was passed to start().
+    // Adds a pair to the queue. pair.square must be at most the limit that was passed to start().
     void push(const NearPair& pair) {
         const std::size_t bucket = bucket_of(pair.square);
         const std::size_t word = bucket / 64;
@@ -52,8 +52,8 @@ class NearestQueue {
         first_word_ = std::min(first_word_, word);
     }
 
-    // Sets `pair` to the next pair whose square is at most `limit`, removes it, and returns true. Pairs with larger
-    // squares that come before it are dropped. Returns false if there is no such pair.
+    // Sets `pair` to the next pair whose square is at most `limit`, removes it, and returns true. Drops the pairs with
+    // larger squares that the queue has before `pair`. Returns false if there is no such pair.
     bool pop(float limit, NearPair& pair) noexcept {
         const std::size_t last = bucket_of(limit);
         for (; first_word_ < words_.size(); ++first_word_) {

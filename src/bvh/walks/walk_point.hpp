@@ -26,8 +26,8 @@ struct PointWalk {
     std::vector<OrderedNode> stack;
 };
 
-// Sets walk.found to all triangles that may be nearest to the point, those that share a point with it included, and
-// walk.limit to an upper bound of the least squared distance. `axes` must be bound to the tree and the point, and
+// Sets walk.found to all triangles that may be nearest to the point, including the triangles that contain the point,
+// and walk.limit to an upper bound of the least squared distance. `axes` must be bound to the tree and the point, and
 // axes.are_useful() must be true.
 void walk_point(const MeshBvh& tree, const PointAxes& axes, PointWalk& walk);
 

@@ -14,8 +14,8 @@
 namespace ecods::python {
 namespace {
 
-// Makes a mesh. Indices of 32 bits are used as they are; other indices are converted to 64 bits without a sign, which
-// makes a negative index too large.
+// Makes a mesh from arrays of vertices and of faces. Indices of 32 bits are used as they are; other indices are
+// converted to 64 bits without a sign, which makes a negative index too large.
 std::shared_ptr<const Mesh> make_mesh(py::handle vertices, py::handle faces) {
     const py::array indices = py::array::ensure(faces);
     if (!indices) throw py::error_already_set();

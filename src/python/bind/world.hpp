@@ -22,7 +22,7 @@ namespace ecods::python {
 // operation on the world uses the interpreter, so there is no deadlock.
 class SharedWorld {
   public:
-    // Makes a world. `ids` becomes WorldOptions::ids.
+    // Makes a world that this object guards. `ids` becomes WorldOptions::ids.
     SharedWorld(BroadPhaseKind broad_phase, std::size_t threads, std::vector<BodyId> ids = {})
         : broad_phase_(broad_phase),
           threads_(threads),

@@ -81,7 +81,8 @@ void add_hits(WorldClass& type, const py::arg_v& filter) {
              "where they begin. Raises as sided_hits() does.");
 }
 
-// Binds motions first: a list of them is never an array of poses, and an object that is no such list may be one.
+// Binds the overload for motions first: a list of motions is never an array of poses, whereas an object that is no list
+// of motions may be an array of poses.
 void add_meetings(WorldClass& type) {
     type.def(
         "meetings",
