@@ -1,4 +1,4 @@
-// A ShortList is a list of trivially copyable values. It is stored in the object itself until it has more than N
+// A ShortList is a list of trivially copyable values. The list is stored in the object itself until it has more than N
 // values, and in allocated memory from then on.
 #pragma once
 

@@ -48,8 +48,8 @@ class MovingBox {
     // rounding of subnormal times. Returns infinity only if they share no point at any time.
     double meets_from(const Aabb& box) const noexcept;
 
-    // Returns an upper bound of meets_from(box) for every box that is met at a time that rounds to at most `limit`. It
-    // may be one step above a subnormal limit, because of modes that round up.
+    // Returns an upper bound of meets_from(box) for every box that is met at a time that rounds to at most `limit`. The
+    // result may be one step above a subnormal limit, because of modes that round up.
     static double latest(double limit) noexcept { return limit < subnormal_below ? next_up(limit) : limit; }
 
     enum class Course : std::uint8_t { coming, going, resting, without_end };

@@ -1,11 +1,12 @@
-// A ScaledPose is a pose in units in which nothing overflows, and little is lost to underflow. It serves to compute the
-// boxes of bodies whose coordinates are very large or very small.
+// A ScaledPose is a pose in units in which nothing overflows, and little is lost to underflow. A ScaledPose serves to
+// compute the boxes of bodies whose coordinates are very large or very small.
 //
-// Coordinate i of a point v is sum_j R_ij v_j + t_i. It is computed times 2^-e, from R_ij 2^(c_j - e), v_j 2^-c_j and
-// t_i 2^-e. c_j is chosen such that all |v_j| < 2^c_j, and e is the least exponent such that all |R_ij| 2^c_j and |t_i|
-// are below 2^e. So all these numbers are below 1, and the largest sum of magnitudes is 1/4 or more. Scaling changes
-// exponents by bits. It is exact except for results below 2^-1022, which become zero; with factors below 1 the nine
-// products lose less than 2^-1018, which is below 2^-10 of the term for underflow in point_error_bound.
+// Coordinate i of a point v is sum_j R_ij v_j + t_i. This coordinate is computed times 2^-e, from R_ij 2^(c_j - e), v_j
+// 2^-c_j and t_i 2^-e. c_j is chosen such that all |v_j| < 2^c_j, and e is the least exponent such that all |R_ij|
+// 2^c_j and |t_i| are below 2^e. So all these numbers are below 1, and the largest sum of magnitudes is 1/4 or more.
+// Scaling changes exponents by bits. The scaling is exact except for results below 2^-1022, which become zero; with
+// factors below 1 the nine products lose less than 2^-1018, which is below 2^-10 of the term for underflow in
+// point_error_bound.
 #pragma once
 
 #include <algorithm>

@@ -43,8 +43,8 @@ class SegmentBounds {
     bool meets(const Aabb& box) const noexcept;
 
   private:
-    // Returns the corner, as (y, z), at which s is largest (side 1) or least (side -1) in the part of the box inside
-    // box().
+    // Returns the corner, as (y, z), at which s = d_y (z - a_z) - d_z (y - a_y) is largest (side 1) or least (side -1)
+    // in the part of the box inside box().
     std::array<double, 2> corner(const Aabb& box, int y, int z, int side) const noexcept;
 
     Segment segment_;

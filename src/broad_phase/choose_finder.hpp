@@ -9,8 +9,8 @@ namespace ecods {
 
 // Returns the kind of pair finder that the next update should use, given the kind in use, `running`, and the number of
 // boxes. The choice depends only on that number and, between the two sizes below, on `running`; not on timings, so runs
-// repeat. It does not depend on how boxes move either: kept candidates cost no more than sorted lists even if many
-// boxes move, since a box that is added, removed or moved takes no pass over all boxes.
+// repeat. The choice does not depend on how boxes move either: kept candidates cost no more than sorted lists even if
+// many boxes move, since a box that is added, removed or moved takes no pass over all boxes.
 //
 // Measured on twelve motions, sorted lists take 0.8 to 1.3 times as long as kept candidates with 24 boxes, 0.9 to 1.7
 // times with 48, and 0.9 to 2.4 times with 256. The two sizes are far enough apart that a scene whose number of boxes

@@ -23,8 +23,9 @@ inline double gap_on(int axis, const Aabb& a, const Aabb& b) noexcept {
 // u', its square of 3.01 u', the sum of three squares of 5.02 u', the root of 3.52 u' and the product at the end of
 // 4.53 u'. The factor 1 - 2^-48 subtracts 16 u'. In the sum, gaps below 2^-500 count as 0 and gaps above 2^500 as
 // 2^500, so no square overflows or is subnormal. An end that is flushed to zero changes by at most 2^-1022, which is
-// 2^-522 of a gap of 2^-500. The largest gap alone is a lower bound, too, at any scale. It counts only from 2^-960 on,
-// so 2^-1022 is at most 2^-62 of it. All steps are monotone, so boxes that contain a and b get no greater bound.
+// 2^-522 of a gap of 2^-500. The largest gap alone is a lower bound, too, at any scale. The largest gap counts only
+// from 2^-960 on, so 2^-1022 is at most 2^-62 of it. All steps are monotone, so boxes that contain a and b get no
+// greater bound.
 // Claim: verify/proofs/small_bounds.py
 inline double distance_below(const Aabb& a, const Aabb& b) noexcept {
     constexpr double factor = 1 - 0x1p-48, gap_min = 0x1p-500, gap_max = 0x1p500, largest_min = 0x1p-960;

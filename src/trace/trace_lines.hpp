@@ -26,8 +26,8 @@ class TraceLines {
     // the line ends with CR LF, as some editors write it, CR is dropped from the end of every line.
     std::string_view next_header();
 
-    // The next functions read the next word or words of the line. They throw InvalidTrace if a word is missing or
-    // malformed; `what` names the word in the error.
+    // The next functions read the next word or words of the line. These functions throw InvalidTrace if a word is
+    // missing or malformed; `what` names the word in the error.
     std::string_view word(const char* what);
     std::uint64_t hex(const char* what);
     std::uint64_t decimal(const char* what, std::uint64_t max);

@@ -16,8 +16,8 @@
 
 namespace ecods {
 
-// Returns true if both clearances are absent, or both have equal values. Compares by bits, because a processor that
-// flushes subnormal numbers compares two of them as equal.
+// Returns true if both clearances are absent, or both have equal values. Compares the bits, because a processor that
+// flushes subnormal numbers to zero takes any two subnormal numbers for equal.
 inline bool is_same_clearance(const std::optional<double>& a, const std::optional<double>& b) noexcept {
     return a.has_value() == b.has_value() && (!a || key_of(*a) == key_of(*b));
 }

@@ -57,8 +57,8 @@ class ClosestMemory final : public QueryMemoryPart {
         std::vector<ProxyIndex> members_a, members_b;  // the bodies of both groups
         std::vector<Candidate> candidates;
     };
-    // Scratch lists. A question moves them out, and back at its end, because a caller's two-body test may meanwhile ask
-    // another world in the same memory.
+    // These lists are scratch memory. A question moves the lists out of this object, and back at its end, because a
+    // caller's two-body test may meanwhile ask another world in the same memory.
     Lists lists;
 
   private:

@@ -9,8 +9,8 @@
 
 namespace ecods {
 
-// FirstFailure keeps the error of the least pair: least by ids, not earliest in time. So the error that an update
-// throws depends neither on the workers nor on the order of the tests.
+// FirstFailure keeps the error of the pair with the least ids, which need not be the earliest error in time. So the
+// error that an update throws depends neither on the workers nor on the order of the tests.
 class FirstFailure {
   public:
     void keep(const BodyPair& bodies, std::exception_ptr error) {

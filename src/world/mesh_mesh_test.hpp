@@ -1,4 +1,4 @@
-// Makes two two-body tests of meshes. Every world has the first of them from the start.
+// Makes two two-body tests of meshes. Every world has the first test from the start.
 #pragma once
 
 #include <memory>

@@ -20,7 +20,7 @@
 
 namespace ecods {
 
-// A VerdictIndex is the index of a verdict in the array. It stays valid until some verdict is removed.
+// A VerdictIndex is the index of a verdict in the array. The index stays valid until some verdict is removed.
 using VerdictIndex = std::uint32_t;
 inline constexpr VerdictIndex no_verdict = ~VerdictIndex{0};
 

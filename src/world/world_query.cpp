@@ -117,8 +117,8 @@ std::uint64_t sum_of_relations(const PairRelations& relations, const Bodies& bod
 
 }  // namespace
 
-// Returns a digest of the bodies and of the listed pairs. It adds up words that are already mixed, so the order of
-// bodies and pairs does not matter.
+// Returns a digest of the bodies and of the listed pairs. The digest is a sum of words that are already mixed, so the
+// order of bodies and pairs does not matter.
 std::uint64_t World::Impl::digest() const {
     std::uint64_t sum_of_bodies = 0;
     for (ProxyIndex proxy = 0; proxy < bodies.end(); ++proxy) {

@@ -18,8 +18,8 @@ using Numbers = Vec<double, 4>;
 
 using Course = MovingBox::Course;
 
-// Computes `from`, which is MovingBox::meets_from of each box of a block, in the same steps for eight boxes at once. It
-// is infinity for a box that is never met, and for an empty lane.
+// Computes `from`, which is MovingBox::meets_from of each box of a block, in the same steps for eight boxes at once.
+// The time is infinity for a box that is never met, and for an empty lane.
 struct BlockTimes {
     static_assert(width == 8);
     Numbers from[2], to[2];

@@ -11,7 +11,7 @@
 namespace ecods {
 
 // Keeps trees over the fat boxes of all slots, and updates them lazily. A full search (rebuild_rule.hpp) needs no trees
-// and leaves them stale; the next look-up brings them up to date.
+// and leaves the trees stale; the next look-up brings the trees up to date.
 class FatForest {
   public:
     bool is_behind() const noexcept { return is_behind_; }

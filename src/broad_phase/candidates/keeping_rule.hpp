@@ -8,8 +8,8 @@
 namespace ecods {
 
 // A KeepingRule decides from counts alone, never from clocks, if updates keep candidates, so that runs are repeatable.
-// The unit of work is about a nanosecond, as measured for 10,000 boxes on one machine (bench, suite broad). Only ratios
-// matter, and no answer depends on them.
+// The unit of work is about a nanosecond, as measured for 10,000 boxes on one machine (bench, suite broad). Only the
+// ratios of estimates matter, and no answer depends on an estimate.
 class KeepingRule {
   public:
     // Holds estimates for an update, made before it.

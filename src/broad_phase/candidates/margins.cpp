@@ -22,8 +22,8 @@ constexpr std::uint32_t escape_numbers = 1u << 23;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Holds the lower and upper ends of a box, one axis in each lane. The fourth lanes are zero at first; computing may
-// change them.
+// Holds the lower and upper ends of a box, one axis in each lane. The fourth lanes are zero at first; computations may
+// change these lanes.
 struct BoxEnds {
     using Doubles = Vec<double, 4>;
     Doubles low, high;

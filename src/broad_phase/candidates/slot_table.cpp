@@ -17,8 +17,8 @@ void SlotTable::reserve(std::size_t count) {
     slots_.reserve(count);
 }
 
-// Makes or drops the coarse boxes. Making them takes a pass over all boxes. This pass is amortized, since coarse boxes
-// are dropped only after a pass that puts boxes to sleep, and many updates pay for that one.
+// Makes or drops the coarse boxes. Making the coarse boxes takes a pass over all boxes. The pass is amortized, since
+// coarse boxes are dropped only after a pass that puts boxes to sleep, and that pass is amortized over many updates.
 void SlotTable::choose_coarse_boxes() {
     constexpr std::size_t few = 64, some = 32;  // one box in this many is awake
     if (keeps_coarse_boxes() && few * awake_count_ < used_count_) release(coarse_boxes_);

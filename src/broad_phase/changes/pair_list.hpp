@@ -9,7 +9,8 @@
 
 namespace ecods {
 
-// The list is updated lazily: an update only leaves its events, and sorted() applies them when the list is read.
+// A PairList is updated lazily: an update only logs its events, and sorted() applies the logged events when the list is
+// read.
 class PairList final : public PairKeeper {
   public:
     // Refers to `events`, where the caller puts the events of each update; `events` must outlive the list. The events
@@ -17,8 +18,8 @@ class PairList final : public PairKeeper {
     // event once.
     explicit PairList(const PairEvents& events) : events_(events) {}
 
-    // Logs the events of the last update unless the list has them; call it before the next update clears them. If
-    // memory runs out in this function or in one below, the list is unchanged.
+    // Logs the events of the last update unless the list has these events. Call begin_update() before the next update
+    // clears the events. If memory runs out in this function or in one below, the list is unchanged.
     void begin_update();
 
     // End an update: end_update() if it succeeded, drop_update() if it failed. A failed update must leave no events.

@@ -34,7 +34,7 @@ struct SortState {
 // the axes are sorted does not matter.
 bool sort_axis(EndpointList& ends, int axis, std::span<const ProxyIndex> moved, SortState& state);
 
-// Gives all ends their new coordinates and sorts them from scratch. Finds no events.
+// Gives all ends their new coordinates and sorts the list of ends from scratch. Finds no events.
 void sort_axis_from_scratch(EndpointList& ends, int axis, const BoxHistory& boxes);
 
 }  // namespace ecods

@@ -1,6 +1,6 @@
-// bvh/axes/separating_axes.cpp includes this source for AVX-512. It projects two posed trees on the face normals of
-// both at once: AxesOf in registers of eight doubles. The first four lanes are for the set of a's normals, and the last
-// four for the set of b's. Poses must be rotations, up to rounding, and numbers within their limits.
+// bvh/axes/separating_axes.cpp includes this source for AVX-512. The code projects two posed trees on the face normals
+// of both trees at once: AxesOf in registers of eight doubles. The first four lanes are for the set of a's normals, and
+// the last four for the set of b's. Poses must be rotations, up to rounding, and numbers within their limits.
 
 ECODS_ALWAYS_INLINE Matrix<Double8> transpose(const Matrix<Double8>& m) noexcept {
     const Double8 low = even_lanes(m.column[0], m.column[1]);

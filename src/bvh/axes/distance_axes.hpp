@@ -82,8 +82,8 @@ class PointAxes {
     bool are_useful() const noexcept { return are_useful_; }
     const DistanceSet& set() const noexcept { return set_; }
 
-    // Returns the limit for lower bounds that a point of a triangle gives: `square` is the point's squared distance on
-    // the axes as computed. A triangle with a greater lower bound is farther away.
+    // Returns an upper bound of the squared distance in units, given `square`, the computed squared distance of a point
+    // of a triangle on the axes. A triangle whose lower bound exceeds the result is farther away than that point.
     float limit_of(float square) const noexcept { return square_above(distance_above(set_, square, unit_)); }
     float square_above(double distance) const noexcept { return ecods::square_above(distance, unit_); }
 
@@ -93,13 +93,13 @@ class PointAxes {
     bool are_useful_ = false;
 };
 
-// A Direction is a vector on the axes of the first set. It is zero, or its length is one or slightly less.
+// A Direction is a vector on the axes of the first set. A Direction is zero, or its length is one or slightly less.
 using Direction = std::array<float, 3>;
 
 // Returns a mask of the pairs of lanes whose squared distance is not proven to exceed `limit`; bit 8 j + i is for lane
 // i of x and lane j of y. Sets `squares` to lower bounds of the squared distances of these pairs. `limit` may be
-// infinity. The bounds hold for any `n`. They are best if `n` is about the direction from the first body's closest
-// point to the second's.
+// infinity. The bounds hold for any `n`. The bounds are best if `n` is about the direction from the first body's
+// closest point to the second's.
 template <class X, class Y>
 std::uint64_t near_mask(const std::array<DistanceSet, 2>& sets, const Direction& n, float limit, const X& x, const Y& y,
                         LaneBounds& squares) noexcept;

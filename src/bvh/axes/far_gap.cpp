@@ -9,7 +9,8 @@
 
 namespace ecods {
 
-// Holds the trees projected on one axis n, along the vector between their centers. n is a row of N.
+// Holds the trees projected on one axis n, along the vector between their centers. n is a row of the matrix N of
+// far_gap.hpp.
 struct FarRow {
     double length;
     double a[3], b[3];

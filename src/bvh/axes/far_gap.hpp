@@ -12,7 +12,7 @@
 // The sum in parentheses has the size of the trees, and is bounded in floats; g, and the distances with which it is
 // compared, are doubles. So the projections on n prove that the distance of two boxes exceeds L if
 //     reach + (least m_b . y_b - greatest m_a . y_a) > reach + (|n| L - g).
-// The left side is called the rank of the pair. It is about zero for the nearest nodes. The walk visits pairs by
+// The left side is called the rank of the pair. The rank is about zero for the nearest nodes. The walk visits pairs by
 // increasing rank.
 //
 // Bound. The letters are those of separating_axes.hpp, except that S = |m_a| 1 + |m_b| 1. Floats: converting m,

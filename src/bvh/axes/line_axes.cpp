@@ -11,7 +11,8 @@
 
 namespace ecods {
 
-// Holds the axes N, the map P of the tree to these axes, and the sums of magnitudes that the bounds need.
+// Holds the axes N, the map P of the tree to these axes (both as in line_axes.hpp), and the sums of magnitudes that the
+// error bounds need.
 struct LineBound {
     alignas(32) double N[3][4], P[3][4];  // by columns
     alignas(32) double size[4], origin[4], origin_size[4];
@@ -90,7 +91,7 @@ void LineAxes::bind(const MeshBvh& tree, const Pose& pose) {
 
 namespace {
 
-// Returns the interval of s in [0, limit] in which s d is between `low` and `high`.
+// Returns the interval of the numbers s in [0, limit] for which s d is between `low` and `high`.
 std::pair<double, double> ends_within(double low, double high, double d, double limit) noexcept {
     const double inverse = 1 / d, first = low * inverse, second = high * inverse;
     return {std::max(0.0, std::min(first, second)), std::min(limit, std::max(first, second))};

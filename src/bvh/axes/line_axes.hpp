@@ -114,16 +114,16 @@ class LineAxes {
     // Returns `point` on the axes, in floats. The point must be in a box that place_box() has placed.
     std::array<float, 3> at(const Vec3& point) const noexcept;
 
-    // is_within() is true if all points whose computed r is in [low, high] are certainly within the line's ends.
-    // parameter_below() and parameter_above() are a lower and an upper bound of the scaled parameter of a point whose
-    // computed r is `ratio`.
+    // is_within() is true if all points whose computed parameter r of the part is in [low, high] are certainly within
+    // the line's ends. parameter_below() and parameter_above() are a lower and an upper bound of the scaled parameter
+    // of a point whose computed r is `ratio`.
     bool is_within(float low, float high) const noexcept {
         return has_ends_ && low >= 0x1p-16f && high <= 1 - 0x1p-16f;
     }
     double parameter_below(float ratio) const noexcept { return (begin_ + ratio * length_) * (1 - 0x1p-48); }
     double parameter_above(float ratio) const noexcept { return (begin_ + ratio * length_) * (1 + 0x1p-48); }
 
-    // Returns an upper bound of r for all points whose scaled parameter is at most `parameter`.
+    // Returns an upper bound of the parameter r of part() for all points whose scaled parameter is at most `parameter`.
     float ratio_above(double parameter) const noexcept;
 
   private:

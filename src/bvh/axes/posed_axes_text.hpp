@@ -159,7 +159,7 @@ struct AxesOf {
     }
 };
 
-// Holds both trees on the normals of one of them (`own_tree`), or on any axes N.
+// Holds both trees on the face normals of one tree (`own_tree`), or on any axes N.
 struct DoubleAxes : AxesOf<Double4> {
     Own own_tree = Own::a;
 
@@ -211,7 +211,8 @@ ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Float4 (&c
     projection.is_unit = false;
 }
 
-// Sets the projection of a tree on its own normals. P is taken for the identity, so only the shift is set.
+// Sets the projection of a tree on its own normals. The matrix P of the tree (separating_axes.hpp) is taken for the
+// identity, so only the shift is set.
 ECODS_ALWAYS_INLINE void set_unit_projection(Projection& projection, Float4 shift) noexcept {
     store_anywhere(projection.shift.data(), shift);
     for (std::size_t j = 0; j < 3; ++j) projection.row[j][3] = projection.shift[j];

@@ -1,8 +1,8 @@
 // SweptAxes bounds the times at which nodes of two posed trees may share a point while the first tree is translated.
 //
-// On any axis n the first tree's box moves at the constant speed n.m. It shares points of the axis with another box in
-// an interval of time, and the boxes can share a point only in the intersection of these intervals. Axes and bounds are
-// as in separating_axes.hpp, in two sets: the face normals of a's boxes and of b's boxes.
+// On any axis n the first tree's box moves at the constant speed n.m. The projections of this box and of another box
+// share points in an interval of time, and the boxes can share a point only in the intersection of these intervals.
+// Axes and bounds are as in separating_axes.hpp, in two sets: the face normals of a's boxes and of b's boxes.
 //
 // Time. In floats, a position on an axis has a relative error of 2^-23 of the sum of all its terms, including the
 // motion. So the kernels compute only in a window of time, outside of which doubles prove that the roots share no

@@ -28,7 +28,7 @@ struct FlatLanes : ProjectedLanes<float_width> {
 
     // Returns the lanes in which a line parallel to an edge of `own` certainly separates the triangles.
     //
-    // Let n be a vector perpendicular to the edge. It is used as computed, since any vector is sound. The edge's line
+    // Let n be a vector perpendicular to the edge. The computed n is used, since any vector is sound. The edge's line
     // function has the value n . (z - p) at a point z, where p is the corner at which the edge begins, as computed.
     //
     // Bound, with v = 2^-23, d the error of a corner and E the extents of both triangles together, which no difference

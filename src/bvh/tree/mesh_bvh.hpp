@@ -1,8 +1,8 @@
 // MeshBvh is the bounding volume hierarchy of a mesh: a tree of boxes over its triangles, with eight children per node.
 //
-// Boxes are aligned with the local frame of the mesh, so they are oriented boxes of the body. It is the OBB tree of
-// RAPID (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996) with one orientation for all boxes of a tree. The common
-// orientation makes it possible to test two nodes against each other eight by eight. Boxes are floats, rounded
+// Boxes are aligned with the local frame of the mesh, so they are oriented boxes of the body. A MeshBvh is the OBB tree
+// of RAPID (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996) with one orientation for all boxes of a tree. The
+// common orientation makes it possible to test two nodes against each other eight by eight. Boxes are floats, rounded
 // outwards, so that a box contains its triangles.
 #pragma once
 

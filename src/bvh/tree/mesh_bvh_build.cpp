@@ -27,9 +27,9 @@ class Splitter {
   public:
     explicit Splitter(PrimitiveRefs& items) : items_(items) {}
 
-    // Returns the two halves of `part`, neither of them empty. The caller must split depth-first: after a split come
-    // all splits of one half, and then all splits of the other half. Therefore the parts of a block are split one after
-    // the other, and one block at a time is kept.
+    // Returns the two halves of `part`, neither of which is empty. The caller must split depth-first: after a split
+    // come all splits of one half, and then all splits of the other half. Therefore the parts of a block are split one
+    // after the other, and one block at a time is kept.
     std::array<Range, 2> split(const Range& part) {
         if (part.size() > SweepSplit::size_max) {
             const std::uint32_t middle = split_by_bins(part);

@@ -24,7 +24,7 @@ struct NodeAtEnds {
 class TreeAtEnds {
   public:
     TreeAtEnds() = default;
-    // Both trees must outlive this object.
+    // Refers to one tree for both ends, or to a tree for each end. All trees must outlive this object.
     explicit TreeAtEnds(const MeshBvh& rigid) noexcept : TreeAtEnds(rigid, rigid) {}
     TreeAtEnds(const MeshBvh& start, const MeshBvh& end) noexcept : start_(&start), end_(&end) {}
 
@@ -44,8 +44,8 @@ class TreeAtEnds {
     const MeshBvh* end_ = nullptr;
 };
 
-// Returns a tree for `mesh`, which must have the triangles of the tree's mesh and may have other vertices. It has the
-// structure of `tree`: each triangle stays in its leaf, and boxes are computed again. Cost: one pass over the
+// Returns a tree for `mesh`, which must have the triangles of the tree's mesh and may have other vertices. The new tree
+// has the structure of `tree`: each triangle stays in its leaf, and boxes are computed again. Cost: one pass over the
 // triangles.
 MeshBvh with_other_vertices(const MeshBvh& tree, const Mesh& mesh);
 

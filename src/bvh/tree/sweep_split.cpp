@@ -5,8 +5,8 @@
 namespace ecods {
 namespace {
 
-// Returns an integer with the same order as the float; both zeros have the same key. It is computed from the bits, so
-// that the order does not depend on the floating-point environment.
+// Returns an integer with the same order as the float; both zeros have the same key. The integer is computed from the
+// bits, so that the order does not depend on the floating-point environment.
 std::uint32_t order_key(float x) noexcept {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     constexpr std::uint32_t sign = std::uint32_t{1} << 31;

@@ -29,8 +29,8 @@ struct PrimitiveRef {
 };
 static_assert(sizeof(PrimitiveRef) == 32);
 
-// Returns the number of leaves for `count` triangles. It is the cost of visiting them, since a leaf is tested as a
-// whole.
+// Returns the number of leaves for `count` triangles. This number is the cost of visiting the triangles, since a leaf
+// is tested as a whole.
 inline float leaf_visits(std::uint32_t count) noexcept {
     const std::size_t leaves = (count + tree_width - 1) / tree_width;
     return static_cast<float>(leaves);

@@ -2,9 +2,10 @@
 // against these leaves, without a walk for each segment.
 //
 // A segment goes from A to B on the axes of line_axes.hpp, in floats. Each coordinate is off by less than `error`,
-// which is 64 v for floats, v = 2^-23, and E for the rest. The segment is apart from a leaf if they are disjoint on an
-// axis, or if both its ends are beyond the leaf's slab, on the same side. It is apart from a triangle if they are
-// disjoint on an axis, or if a plane with the normal of the triangle's corners separates the two.
+// which is the sum of 64 v for the rounding of floats, v = 2^-23, and E for all other errors. The segment is apart from
+// a leaf if the two are disjoint on an axis, or if both its ends are beyond the leaf's slab, on the same side. The
+// segment is apart from a triangle if the two are disjoint on an axis, or if a plane with the normal of the triangle's
+// corners separates the two.
 //
 // Bound. Coordinates of A and B are at most 4, and of the tree 1 + 2^-21. Along an axis, the middle and the half of A
 // and B are off by 4 v each for A and B and 4 v for a sum, their difference from a box and the sum of halves by 5 v and

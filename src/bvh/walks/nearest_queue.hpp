@@ -84,7 +84,8 @@ class NearestQueue {
         std::uint32_t next;
     };
 
-    // Returns the leading bits of the square. They have the same order as the floats, since these are not negative.
+    // Returns the leading bits of the square. The bits have the same order as the floats, since the floats are not
+    // negative.
     static std::int32_t bucket_bits(float square) noexcept {
         return std::bit_cast<std::int32_t>(square) >> dropped_bits;
     }

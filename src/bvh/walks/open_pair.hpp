@@ -76,8 +76,8 @@ template <class X, class Y>
 inline constexpr bool are_nodes = std::is_same_v<X, BvhNode>&& std::is_same_v<Y, BvhNode>;
 
 // Calls push(children, child_lanes) for each pair of children of x and y with a pair of lanes in `lanes`, in order. If
-// x and y are both nodes, child_lanes is that one pair, a LanesOfOne. If one of them is a leaf, it is paired with each
-// child of the node, and child_lanes are the LanePairs of that child. Not both may be leaves.
+// x and y are both nodes, child_lanes is that one pair, a LanesOfOne. If one of the two is a leaf, the leaf is paired
+// with each child of the node, and child_lanes are the LanePairs of that child. Not both may be leaves.
 template <class X, class Y, class Push>
 ECODS_ALWAYS_INLINE void push_children(const NodePair& pair, const X& x, const Y& y, LanePairs lanes, Push&& push) {
     static_assert(!are_leaves<X, Y>);

@@ -29,8 +29,8 @@ struct LineLanes : ProjectedLanes<width> {
     using Lanes::bits_of, Lanes::load, Lanes::part_count;
     using typename Lanes::Floats, typename Lanes::Ints;
 
-    // Returns a mask of the lanes whose boxes the line may meet at r <= limit. Sets `from` to lower bounds of the r at
-    // which it meets them.
+    // Returns a mask of the lanes whose boxes the line may meet at a parameter r <= limit (LinePart). Sets `from` to
+    // lower bounds of the parameters at which the line meets these boxes.
     ECODS_ALWAYS_INLINE static std::uint32_t find_lanes(const LinePart& line, const BvhNode& node, float limit,
                                                         FloatLanes& from) noexcept {
         Ints lanes[part_count];
@@ -86,8 +86,8 @@ struct LineLanes : ProjectedLanes<width> {
         }
     };
 
-    // Sets `found` to the triangles of a leaf that the line may meet at r <= limit. The line must not meet any of them
-    // at r < from.
+    // Sets `found` to the triangles of a leaf that the line may meet at a parameter r <= limit (LinePart). The line
+    // must not meet any triangle of the leaf at r < from.
     ECODS_ALWAYS_INLINE static void find_lanes(const LinePart& line, const TreeLeaf& leaf, float from, float limit,
                                                FoundInLeaf& found) noexcept {
         std::array<float, 3> start;
@@ -126,7 +126,7 @@ struct LineLanes : ProjectedLanes<width> {
             lanes[part] = ~(is_beside | is_outside | is_apart | is_beyond) & bits;
             crossed[part] = (is_front | is_back) & bits;
             // If the line crosses the face, the parameter of the crossing is the weighted mean of the corners'
-            // parameters, and lies between them.
+            // parameters, and lies between the least and the greatest of these.
             const Floats far = max(absolute(z_low), absolute(z_high));
             const Floats all_size = absolute(all), at_plane = ((a * z[0] + b * z[1]) + c * z[2]) / all;
             const Floats doubt_of_it =
@@ -177,11 +177,12 @@ struct LineLanes : ProjectedLanes<width> {
     }
 };
 
-// Visits the leaves that the line may meet, nearly in the order in which it meets them.
+// Visits the leaves that the line may meet, nearly in the order of the parameters at which the line meets the leaves.
 //
-// `result.limit()` returns the current upper bound of r, at most 1. Nodes that the line meets only beyond it are
-// skipped. `result.visit(leaf, found)` is called for each visited leaf, with the triangles that the line may meet; it
-// may lower the limit. `result.visit_node()` is called for each visited inner node. `stack` is scratch.
+// `result.limit()` returns the current upper bound of the parameter r of the line's part, at most 1. Nodes that the
+// line meets only beyond this bound are skipped. `result.visit(leaf, found)` is called for each visited leaf, with the
+// triangles that the line may meet; it may lower the limit. `result.visit_node()` is called for each visited inner
+// node. `stack` is scratch.
 template <class Result>
 void walk_line(const MeshBvh& tree, const LinePart& line, std::vector<OrderedNode>& stack, Result& result) {
     dispatch_by_width<LineLanes<4>::template walk<Result>, LineLanes<8>::template walk<Result>>(tree, line, stack,

@@ -14,7 +14,7 @@ namespace ecods {
 //
 // `limit()` returns the current limit: pairs whose bound exceeds it are not visited. `find_near(x, y, bounds)` is
 // called once for each visited pair except two leaves; x and y are a BvhNode or a TreeLeaf of the first and the second
-// tree. It returns a mask of pairs of lanes and sets their bounds, which are finite, as near_mask() does.
+// tree. find_near() returns a mask of pairs of lanes and sets their bounds, which are finite, as near_mask() does.
 // `visits(pair)` is called for each pair that is taken from the queue, and may lower the limit; if it returns false,
 // the walk ends. `take(x, y)` is called for each visited pair of leaves, and returns true if the walk should go on.
 template <class Search>

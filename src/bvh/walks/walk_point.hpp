@@ -1,4 +1,4 @@
-// walk_point finds the triangles of a tree that may be nearest to a point. It visits the nearest nodes first.
+// walk_point finds the triangles of a tree that may be nearest to a point. The walk visits the nearest nodes first.
 #pragma once
 
 #include <cstdint>

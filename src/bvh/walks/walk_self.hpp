@@ -37,8 +37,8 @@ struct SelfBound {
 };
 
 // Visits pairs of nodes depth-first. result(i, j) is called for each pair of different triangles that `bound` does not
-// exclude, once, with i and j in either order. It returns true if the walk should go on. `bound` and `stack` are as for
-// walk_two().
+// exclude, once, with i and j in either order. result() returns true if the walk should go on. `bound` and `stack` are
+// as for walk_two().
 template <class Bound, class Result>
 void walk_self(const MeshBvh& tree, std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
     stack.assign(1, NodePair{tree.root, tree.root});

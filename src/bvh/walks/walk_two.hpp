@@ -45,9 +45,9 @@ ECODS_ALWAYS_INLINE bool visit_two(const MeshBvh& a, const MeshBvh& b, const Nod
 // Visits pairs of nodes of two trees depth-first.
 //
 // bound(x, y) is called once for each visited pair; x and y are a BvhNode or a TreeLeaf of the first and the second
-// tree. It returns a mask of the pairs of lanes that may matter. If bound.order(x, y, pairs, children) exists for two
-// nodes, it may reorder their pairs of children; the last one is visited next. result(i, j) is called for each pair of
-// triangles that may matter, and returns true if the walk should go on. `stack` is scratch.
+// tree. bound() returns a mask of the pairs of lanes that may matter. If bound.order(x, y, pairs, children) exists for
+// two nodes, it may reorder their pairs of children; the last one is visited next. result(i, j) is called for each pair
+// of triangles that may matter, and returns true if the walk should go on. `stack` is scratch.
 template <class Bound, class Result>
 void walk_two(const MeshBvh& a, const MeshBvh& b, std::vector<NodePair>& stack, Bound&& bound, Result&& result) {
     stack.assign(1, NodePair{a.root, b.root});

@@ -48,7 +48,7 @@ Aabb to_box(py::handle value);
 // InvalidArgument.
 Pose to_pose(py::handle value);
 
-// Returns the pose whose matrix is the first 12 entries, row by row. Does not check them.
+// Returns the pose whose matrix is the first 12 entries, row by row. Does not check the entries.
 Pose pose_of(const double* entries);
 
 // A PoseList holds a list of poses, (k, 4, 4) or (k, 3, 4), or a single pose, which it returns for every index. The

@@ -1,5 +1,5 @@
-// Declares functions that each bind a part of the module. module.cpp calls them in this order, because the types in a
-// signature must be bound before the signature.
+// Declares functions that each bind a part of the module. module.cpp calls these functions in the order of this file,
+// because the types in a signature must be bound before the signature.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,4 +1,5 @@
-// Raises errors that only Python's integers can cause, because these may be negative or have more than 64 bits.
+// Raises errors that only Python's integers can cause, because Python's integers may be negative or have more than 64
+// bits.
 #pragma once
 
 #include <pybind11/pybind11.h>
