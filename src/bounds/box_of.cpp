@@ -58,8 +58,9 @@ class BoxBuilder {
     Vec3 v_max_ = Vec3::Zero();
 };
 
-// Computes the box in units in which only its ends may overflow, when they are scaled back. Compares keys, because the
-// processor may take subnormal numbers for zero.
+// Returns the box of the posed mesh, computed in units in which no number overflows: only the ends of the box may
+// overflow when they are scaled back. Compares keys of doubles, because the processor may take subnormal numbers for
+// zero.
 [[gnu::noinline]] Aabb scaled_box_of(const Mesh& mesh, const Pose& pose) {
     const auto vertices = mesh.vertices();
     Vec3 v_max = Vec3::Zero();

@@ -34,8 +34,8 @@ using namespace support;
 constexpr double float_u = 0x1p-23;
 constexpr std::size_t face_size = SupportTableGrid::face_size, direction_count = SupportTableGrid::direction_count;
 
-// Computes the box from a pose that is scaled such that its sums are about one. With v_max between 2^-900 and 2^902,
-// entries of R are below 2^901, and the bound's term for underflow is below 2^-90 of the bound.
+// Returns the box of the pose, computed from a pose that is scaled such that its sums are about one. With v_max between
+// 2^-900 and 2^902, entries of R are below 2^901, and the bound's term for underflow is below 2^-90 of the bound.
 [[gnu::noinline]] Aabb scaled_box_by_table(const TableView& table, const Pose& pose) {
     const ScaledPose scaled(pose, table.v_max, false);
     if (scaled.is_zero()) return {};
@@ -82,9 +82,9 @@ Aabb SupportTable::box(const Pose& pose) const {
 
 namespace {
 
-// Computes the boxes of all poses: calls boxes_of(poses, boxes) with `width` poses at a time. If fewer are left, the
-// last pose is repeated; a single pose that is left is computed by itself. boxes_of() returns false if one of its poses
-// must be scaled; then the boxes of that group are computed one by one.
+// Computes the boxes of all poses: calls boxes_of(poses, boxes) with `width` poses at a time. If fewer poses are left,
+// the last pose is repeated; for a single pose that is left, the box is computed by table.box(). boxes_of() returns
+// false if one of its poses must be scaled; then the boxes of that group are computed one by one.
 template <std::size_t width, class BoxesOf>
 void find_boxes(const SupportTable& table, std::span<const Pose* const> poses, std::span<Aabb* const> boxes,
                 const BoxesOf& boxes_of) {

@@ -41,7 +41,7 @@ namespace ecods::calls {
 // Names a body by order: the number of bodies created before it.
 using Label = std::size_t;
 
-// ---- names
+// The next three types say how a row names bodies, shapes and lists.
 
 // Tracing is the naming while a trace is written: ids, and numbers of shapes.
 struct Tracing {
@@ -67,7 +67,7 @@ struct InWorld {
     using List = std::vector<Item>;
 };
 
-// ---- rows
+// The structs down to SetRelations are the rows of the table, one for each call of World.
 
 template <class Names>
 struct Create {
@@ -210,7 +210,7 @@ struct SetRelations {
     void make(auto& world) const { world.set_relations(are_listed); }
 };
 
-// ---- the table
+// A Call is one row of the table: one of the calls above, or a row in `Others`.
 
 template <class Names, class... Others>
 using Call = std::variant<Create<Names>, CreateWith<Names>, Destroy<Names>, SetPose<Names>, SetPoses<Names>,
@@ -244,9 +244,9 @@ bool emplace_row(AnyCall& call, std::string_view name) {
     return true;
 }
 
-// ---- visitors
+// The classes below are visitors of the fields of rows.
 
-// NoField ignores every field. It is a base class for visitors that need only some kinds of fields.
+// NoField ignores every field. The struct is a base class for visitors that need only some kinds of fields.
 struct NoField {
     void created(auto&...) const noexcept {}
     void destroyed(auto&...) const noexcept {}

@@ -12,7 +12,8 @@ constexpr std::uint64_t max_64 = ~std::uint64_t{0};
 
 }  // namespace
 
-// ---- fields. No memory is reserved for a count that the text announces: only items that are present take memory.
+// The functions of FieldReader read fields. They reserve no memory for a count that the text announces: only items that
+// are present take memory.
 
 decltype(TracedNames::bodies)::iterator FieldReader::known_body() {
     const auto found = names_.bodies.find(lines_.body());
@@ -107,7 +108,7 @@ void FieldReader::moved_bodies(std::vector<calls::Label>& bodies, std::vector<Mo
     }
 }
 
-// ---- lines
+// The functions of TraceReader read the lines of a trace.
 
 TraceReader::TraceReader(std::istream& in) : lines_(in) {
     const std::string_view header = lines_.next_header();

@@ -59,7 +59,7 @@ Bodies::Bodies(std::span<const BodyId> first_ids) : world_number_(world_number_o
     }
 }
 
-// ---- ids
+// The functions down to next_ids() look up ids of bodies.
 
 void Bodies::refuse_form(ProxyIndex proxy, const char* form) {
     throw NotSupported("slot " + std::to_string(proxy + 1) + ": its body is no " + form);
@@ -93,7 +93,7 @@ std::vector<BodyId> Bodies::next_ids() const {
     return result;
 }
 
-// ---- creation, change and destruction
+// The functions down to destroy() create, change and destroy bodies.
 
 void Bodies::reserve(std::size_t count) {
     reserved_ = count;
@@ -165,7 +165,7 @@ void Bodies::destroy(ProxyIndex proxy) noexcept {
     disabled_.forget(proxy);
 }
 
-// ---- inspection
+// The functions below read the bodies and check them.
 
 std::optional<ShapeKind> Bodies::kind_without_hits() const noexcept {
     std::optional<ShapeKind> least;

@@ -63,7 +63,7 @@ class Bodies {
     // StaleBody if these ids could not have been given by one world.
     explicit Bodies(std::span<const BodyId> first_ids);
 
-    // ---- ids
+    // The functions down to next_ids() look up ids of bodies.
     bool is_alive(BodyId body) const noexcept {
         return body && body.slot <= slots_.size() && slots_[body.slot - 1].is_alive() &&
                slots_[body.slot - 1].generation == body.generation && (body.world == world_number_ || body.world == 0);
@@ -80,7 +80,7 @@ class Bodies {
     std::vector<BodyId> ids() const;       // all living bodies, ascending
     std::vector<BodyId> next_ids() const;  // see World::next_ids
 
-    // ---- slots, free ones included
+    // The functions down to alive_count() give access to slots; free slots are included.
     const Slot& operator[](ProxyIndex proxy) const noexcept { return slots_[proxy]; }
     Slot& operator[](ProxyIndex proxy) noexcept { return slots_[proxy]; }
     // Return the body as a solid and as a convex solid. Throw NotSupported if its shape is no solid, or no convex
@@ -100,7 +100,8 @@ class Bodies {
     }
     std::size_t alive_count() const noexcept { return slots_.size() - free_slots_.size() - retired_count_; }
 
-    // ---- creation, change and destruction: call what may throw first, then the noexcept functions
+    // The functions down to destroy() create, change and destroy bodies. Call the functions that may throw before the
+    // noexcept functions.
     void reserve(std::size_t count);
     ProxyIndex make_slot(ShapeKind kind);  // returns the free slot that create() will fill, for a body of this kind
     void trim() noexcept;                  // frees spare memory if the number of slots has grown by an eighth
@@ -110,7 +111,7 @@ class Bodies {
     void make_room_to_destroy();
     void destroy(ProxyIndex proxy) noexcept;
 
-    // ---- pairs that are filtered out
+    // The functions down to disabled() decide which pairs are filtered out.
     bool is_enabled(ProxyPair pair) const noexcept {
         return may_meet(slots_[pair.a].filter, slots_[pair.b].filter) && !disabled_.contains(pair);
     }

@@ -24,7 +24,7 @@ enum class Change : std::uint8_t {
 
 class Changes {
   public:
-    // ---- functions that reserve memory; call them before a change that must not fail
+    // The functions down to add_slots_below() reserve memory. Call these functions before a change that must not fail.
     void reserve(std::size_t body_count) {
         changes_.reserve(body_count);
         changed_.reserve(body_count);

@@ -95,8 +95,8 @@ std::size_t Closeness::memory_bytes() const noexcept {
     return pairs_.memory_bytes() + bytes_of(generations_);
 }
 
-// Throws if the enlarged box `reaching` does not reach half the clearance beyond `box`. Each end may fall short by two
-// doubles, because it may have been computed in another rounding mode.
+// Throws BrokenInvariant if the enlarged box `reaching` does not reach half the clearance beyond `box`. Each end may
+// fall short by two doubles, because the box may have been enlarged in another rounding mode.
 void Closeness::validate_box(const Aabb& box, const Aabb& reaching) const {
     const Aabb expected = enlarged(box, *listed_);
     for (int axis = 0; axis < 3; ++axis) {

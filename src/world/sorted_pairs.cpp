@@ -4,7 +4,8 @@
 
 namespace ecods {
 
-// Moves the elements between two removed pairs as one block, so that a few removals from a long list cost little.
+// Moves the pairs of `list` between two removed pairs as one block, so that a few removals from a long list cost
+// little.
 void remove_sorted(BodyPairs& list, const BodyPairs& gone) noexcept {
     if (gone.empty()) return;
     auto read = std::lower_bound(list.begin(), list.end(), gone.front());
@@ -18,7 +19,7 @@ void remove_sorted(BodyPairs& list, const BodyPairs& gone) noexcept {
     list.erase(write, list.end());
 }
 
-// Merges from the back, so that `list` can be both a source and the destination.
+// Merges the two lists from the back, so that `list` can be both a source and the destination.
 void add_sorted(BodyPairs& list, const BodyPairs& more) {
     auto old_end = static_cast<std::ptrdiff_t>(list.size());
     list.resize(list.size() + more.size());

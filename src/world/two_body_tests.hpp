@@ -32,7 +32,8 @@ inline ClosestPoints turned(ClosestPoints points) noexcept {
     return points;
 }
 
-// Returns the contact of two bodies that the test may have taken in the other order.
+// Returns the contact of two bodies in the order of the caller: exchanges a and b if the test took the bodies in the
+// other order.
 inline std::optional<FirstContact> in_order(const OrderedTest& test, std::optional<FirstContact> contact) noexcept {
     if (contact && test.swapped) std::swap(contact->a, contact->b);
     return contact;
@@ -44,7 +45,8 @@ class TwoBodyTests {
     enum class Takes : std::uint8_t { first_kind_first, either_order };
     void set(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test, Takes takes = Takes::first_kind_first);
 
-    // Sets a test of the library's own. Wherever signed_distance_of() gives a distance, it must agree with the test.
+    // Stores `test`, a test of the library's own, for two kinds of shapes. Where signed_distance_of() returns a
+    // distance, the test must agree with that distance.
     void set_with_signs(ShapeKind a, ShapeKind b, std::shared_ptr<const TwoBodyTest> test,
                         Takes takes = Takes::first_kind_first);
     bool has(ShapeKind a, ShapeKind b) const;

@@ -57,7 +57,7 @@ std::size_t VerdictCache::memory_bytes() const noexcept {
            places_.capacity() * sizeof(Place);
 }
 
-// ---- the table
+// The functions down to free_place() find, add and remove entries of the hash table.
 
 std::uint32_t VerdictCache::hash_of(ProxyPair pair) noexcept {
     return static_cast<std::uint32_t>(mix(std::uint64_t{pair.a} << 32 | pair.b));
@@ -96,7 +96,7 @@ void VerdictCache::free_place(std::size_t place) noexcept {
     places_[place] = {};
 }
 
-// ---- the lists
+// The functions down to relocate() change the linked lists of verdicts.
 
 void VerdictCache::link(VerdictIndex index, int side) noexcept {
     Verdict& verdict = verdicts_[index];
@@ -129,7 +129,7 @@ void VerdictCache::relocate(VerdictIndex from, VerdictIndex to) noexcept {
     for (const int side : {0, 1}) link_neighbours(verdict, side, to, to);
 }
 
-// ---- inspection
+// The functions below check the cache.
 
 namespace {
 

@@ -43,7 +43,8 @@ Targets targets_of(const Impl& world) {
     return {world.bodies, world.broad_phase, are_surfaces ? PosedBody::Meaning::surface : PosedBody::Meaning::set};
 }
 
-// Names candidates by proxies, which have the same order as the ids.
+// Returns the first hit of the line with a body; nullopt if the line hits none. Names bodies by proxies, which have the
+// same order as the ids.
 template <class SegmentOrRay>
 std::optional<BodyHit> find_first(const SegmentOrRay& asked, const Targets& targets, QueryMemory& memory,
                                   const std::optional<CollisionFilter>& filter) {

@@ -1,4 +1,4 @@
-// Answers where a line enters and leaves the bodies of a world, and which parts of it are inside them.
+// Answers where a line enters and leaves the bodies of a world, and which parts of the line are inside the bodies.
 #include <algorithm>
 #include <cstdint>
 #include <limits>

@@ -49,7 +49,7 @@ struct World::Impl {
     void require_answers(Question question) const;
     void require_answer(ShapeKind a, ShapeKind b, Question question) const;
 
-    // ---- subjects of questions
+    // The functions down to pair_of() look up and check the subjects of questions.
     Subject subject_of(const Asked& asked) const;  // throws StaleBody, InvalidArgument, NotSupported
     // Returns true if a question about the subject skips the body `other`: `other` is the subject, or their filters
     // exclude the pair.
@@ -70,7 +70,7 @@ struct World::Impl {
     enum class PairOrder { as_given, lesser_id_first };
     SubjectPair pair_of(const Asked& a, const Asked& b, PairOrder order = PairOrder::as_given) const;
 
-    // ---- pairs of bodies
+    // The functions down to ask_pairs() answer questions about pairs of bodies.
     OrderedTest test_of(ProxyPair pair) const { return tests.find(bodies[pair.a].kind, bodies[pair.b].kind); }
     template <class Question, class... Arguments>
     auto ask(ProxyPair pair, Question question, Arguments&&... arguments) const {

@@ -44,7 +44,8 @@ Relation World::relation(const Asked& a, const Asked& b, const Ask& ask) const {
     return pair.test.swapped ? mirrored(found) : found;
 }
 
-// If the test takes the shapes in the other order, exchanges the two triangles of each pair in the result.
+// Returns the pairs of intersecting triangles. If the test takes the shapes in the other order, exchanges the two
+// triangles of each pair in the result.
 std::vector<TrianglePair> World::intersecting_triangles(const Asked& a, const Asked& b, const Ask& ask) const {
     const SubjectPair pair = impl().pair_of(a, b);
     auto triangles = pair.ask(&TwoBodyTest::intersecting_triangles, Ask(Asking(ask).memory()));

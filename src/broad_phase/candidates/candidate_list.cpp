@@ -21,8 +21,8 @@ struct Stretch {
     std::size_t ahead;
 };
 
-// Holds the input and output of a test of all candidates. `there` receives the doubtful pairs that the list already
-// has.
+// Holds the input and output of a test of all candidates. `there` receives the pairs in `doubtful` that the list of
+// candidates already has.
 struct Testing {
     const SlotTable& slots;
     PairEvents& events;

@@ -16,17 +16,17 @@ constexpr double filter_work = 3, move_work = 8;
 // the share is proportional to the step.
 constexpr double event_work = 55, events_by_step = 1.9;
 
-// Estimates the work for looking up a box, and for each of its tests in trees. Measured: if 500 of 10,000 boxes come
-// while the others move, each costs 1600, with 160 tests; if the others are at rest and have no margins, each costs
-// 1000.
+// Estimates the work for looking up a box, and for each of its tests in trees. Measured for 10,000 boxes of which 500
+// are added in an update: if the other boxes move, a look-up costs 1600, with 160 tests; if they are at rest and have
+// no margins, a look-up costs 1000.
 constexpr double lookup_work = 800, tree_test_work = 5.3;
 
 // Estimates the work for looking up a box in a forecast, which does not know the number of the look-up's tests.
 constexpr double foreseen_lookup_work = 3000;
 
-// Returns the factor on the work of look-ups in large scenes. Look-ups access memory in random order, searches from
-// scratch mostly in sequence. The numbers above hold for 10,000 boxes. Relative to a search, a look-up among 100,000
-// boxes costs 1.75 times as much.
+// Returns the factor by which look-ups cost more work in large scenes. Look-ups access memory in random order, searches
+// from scratch mostly in sequence. The numbers above hold for 10,000 boxes. Relative to a search, a look-up among
+// 100,000 boxes costs 1.75 times as much.
 double lookup_factor(std::size_t boxes) noexcept {
     constexpr unsigned cached_bits = 14;  // 2^cached_bits boxes fit in a cache
     constexpr double for_twice_as_many = 0.25;
