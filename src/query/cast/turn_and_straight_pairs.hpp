@@ -15,7 +15,7 @@ namespace ecods {
 
 class TurnAndStraightPairs {
   public:
-    // Binds a mesh that turns, and one that moves straight. All arguments must outlive this object.
+    // Binds mesh a, which turns, and mesh b, whose points move straight. All arguments must outlive this object.
     void bind(const Turning<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts);
 
     // The next two functions have the contracts of the functions with the same names in MovingPairs.

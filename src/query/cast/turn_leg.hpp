@@ -1,4 +1,4 @@
-// A TurnLeg is the part of a way between two nodes; a RoundedLeg is such a part in doubles.
+// A TurnLeg is the part of a way between two nodes; a RoundedLeg is a TurnLeg in doubles.
 #pragma once
 
 #include <array>
@@ -23,10 +23,10 @@ struct TurnLeg {
     Vec3 motion = Vec3::Zero();
 };
 
-// Returns the leg of a turn: it begins with the quaternion 1.
+// Returns the turn as a TurnLeg, which begins with the quaternion 1.
 TurnLeg leg_of(const Pose& start, const Turn& turn, const Vec3& motion = Vec3::Zero());
 
-// Returns a leg of a way, from 0 to last_leg(). There must be at least two nodes.
+// Returns leg `leg` of a way, from 0 to last_leg(nodes). There must be at least two nodes.
 TurnLeg leg_of(const Pose& start, std::span<const WayNode> nodes, std::size_t leg);
 std::size_t last_leg(std::span<const WayNode> nodes) noexcept;
 

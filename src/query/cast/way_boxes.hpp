@@ -20,7 +20,7 @@ namespace ecods {
 
 class WayBoxes {
   public:
-    // Refers to the nodes, which must be valid. `start` contains the body at the start.
+    // Takes a box that contains the body at the start, and valid nodes, to which this object refers.
     WayBoxes(const Aabb& start, std::span<const WayNode> nodes);
 
     // Returns a box that contains the body on a leg. Where coordinates may exceed 2^1000, the box is unbounded.

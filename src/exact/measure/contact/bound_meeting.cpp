@@ -24,8 +24,8 @@ constexpr int coarse_step_max = 3;
 // searched; if the triangles may meet in it, its first quarter, then its first sixteenth (as in quadratic interval
 // refinement: Abbott, Quadratic interval refinement for real roots, 2014).
 constexpr int halvings_max = 32;
-// An interval is not split if its length, relative to its end, is at most this: a few times the distance of
-// neighbouring doubles.
+// Limits the length of an interval that is split: relative to the interval's end, the length must be more than a few
+// times the distance of neighboring doubles.
 constexpr double length_min = 0x1p-44;
 
 ECODS_ALWAYS_INLINE Four four(const Point& a, const Point& b, const Point& c, const Point& d) noexcept {

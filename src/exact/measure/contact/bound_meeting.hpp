@@ -1,5 +1,5 @@
-// bound_first_meeting returns a lower bound of the first time at which two moving triangles share a point. It computes
-// in doubles, in any rounding mode.
+// bound_first_meeting() computes a lower bound of the first time at which two moving triangles share a point, in
+// doubles and in any rounding mode.
 //
 // For a fixed vector n the gap
 //     g(s) = min n . q - max n . p,     over the corners q of the second and p of the first triangle at time s,

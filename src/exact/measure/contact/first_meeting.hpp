@@ -1,4 +1,4 @@
-// first_meeting computes exactly the first time at which two moving triangles share a point.
+// first_meeting() computes exactly the first time at which two moving triangles share a point.
 //
 // Take two closed triangles whose corners move continuously and which share no point at time 0. Let M be the set of
 // times in [0, 1] at which they share a point. M is closed, since the set of (time, point of one, point of the other)

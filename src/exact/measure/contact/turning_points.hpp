@@ -126,7 +126,8 @@ class TurningSide {
         }
         return result;
     }
-    // Returns an upper bound of the way of a corner from the time of `half` to any time at most `span` from it.
+    // Returns an upper bound of the way that a corner goes from the time of `half` to any time at most `span` from that
+    // time.
     ECODS_ALWAYS_INLINE double way(const HalfAngle& half, double span) const noexcept {
         return 1.0625 * span * (way_ + 2 * radius_ * angles().speed(half, span)) + underflow;
     }
