@@ -46,7 +46,7 @@ class Natural {
   public:
     Natural() noexcept = default;
     explicit Natural(std::uint64_t x) noexcept { assign({&x, 1}); }
-    // Copying copies only the limbs in use.
+    // Copies only the limbs in use.
     Natural(const Natural& other) noexcept { assign(other.limbs()); }
     Natural& operator=(const Natural& other) noexcept {
         if (this != &other) assign(other.limbs());

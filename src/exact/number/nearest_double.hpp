@@ -1,4 +1,4 @@
-// nearest_double rounds a real number about which only comparisons are known.
+// nearest_double() rounds a real number that is known only by comparisons with other numbers.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace ecods::exact {
 
-// Returns x, which must be finite and not negative.
+// Returns x as a BinaryFraction. x must be finite and not negative.
 inline BinaryFraction binary_fraction(double x) {
     const Dyadic d = decode(x);
     return d.e >= 0 ? BinaryFraction{Integer(d.m) << d.e, 0} : BinaryFraction{Integer(d.m), -d.e};
@@ -28,7 +28,7 @@ inline BinaryFraction middle_after(std::int64_t k) {
 
 // Returns the double nearest to a number that is not negative, ties to even; infinity from half-way between the largest
 // double and 2^1024 on. compare(m) returns the sign of the number minus m, for m up to `most`, which the number is
-// known not to exceed. The guess affects only the work: galloping search around it.
+// known not to exceed. The galloping search begins at `guess`, which affects only the work.
 template <class Compare>
 double nearest_double(double guess, Compare&& compare, double most = std::numeric_limits<double>::infinity()) {
     const std::int64_t last = key_of(most);

@@ -44,7 +44,8 @@ PolynomialOf<degree_limit> PolynomialOf<degree_limit>::product(const PolynomialO
     return result;
 }
 
-// Computes 2^(bits * degree) times the value at s = m / 2^bits, by Horner's scheme, and returns its sign.
+// Returns the sign of the polynomial's value at s = m / 2^bits, from 2^(bits * degree) times this value, by Horner's
+// scheme.
 template <int degree_limit>
 int PolynomialOf<degree_limit>::sign_at(const BinaryFraction& s) const {
     const int d = degree();
@@ -54,8 +55,8 @@ int PolynomialOf<degree_limit>::sign_at(const BinaryFraction& s) const {
     return value.sign();
 }
 
-// Computes a^d times the value at b / a, the root of `linear`, by Horner's scheme. a^d is negative if a is and d is
-// odd: then the sign is changed.
+// Returns the sign of the value at the root b / a of `linear`. Horner's scheme computes a^d times the value, where d is
+// the degree. If a is negative and d is odd, a^d is negative, and the sign is changed.
 template <int degree_limit>
 int PolynomialOf<degree_limit>::sign_at_root_of(const PolynomialOf& linear) const {
     ECODS_ASSERT(linear.degree() == 1);
@@ -72,7 +73,8 @@ int PolynomialOf<degree_limit>::sign_at_root_of(const PolynomialOf& linear) cons
     return d % 2 == 1 && a.sign() < 0 ? -sign : sign;
 }
 
-// Shifts the polynomial's argument by repeated sums and products by m (the method of Shaw and Traub).
+// Returns the polynomial with its argument shifted by from = m / 2^bits, by repeated sums and products by m (the method
+// of Shaw and Traub).
 template <int degree_limit>
 PolynomialOf<degree_limit> PolynomialOf<degree_limit>::moved_to(const BinaryFraction& from) const {
     const int d = degree();
@@ -91,9 +93,9 @@ PolynomialOf<degree_limit> PolynomialOf<degree_limit>::moved_to(const BinaryFrac
     return PolynomialOf(std::move(t));
 }
 
-// For coefficients t_i and the degree n, times the binomial n over j, the Bernstein coefficient j is the sum of t_i
-// times n - i over j - i. These are the coefficients of the sum of t_i s^i (1 + s)^(n - i), which repeated sums
-// compute.
+// Returns multiples of the Bernstein coefficients on [0, 1]. For coefficients t_i and the degree n, the Bernstein
+// coefficient j, times the binomial n over j, is the sum over i of t_i times the binomial n - i over j - i. These sums
+// are the coefficients of the sum over i of t_i s^i (1 + s)^(n - i), which repeated sums compute.
 template <int degree_limit>
 auto PolynomialOf<degree_limit>::on_unit_interval() const -> Coefficients {
     Coefficients t = c_;
@@ -151,8 +153,8 @@ PolynomialOf<degree_max> quotient(PolynomialOf<degree_max> p, const PolynomialOf
     ECODS_ASSERT(d >= 0);
     typename PolynomialOf<degree_max>::Coefficients result, rest;
     for (int e = p.degree(); e >= d; --e) {
-        // Multiplies all numbers by the divisor's leading coefficient, so that the quotient's next coefficient is an
-        // integer.
+        // Multiplies all coefficients by the divisor's leading coefficient, so that the quotient's next coefficient is
+        // an integer.
         for (Integer& c : result) c = c * divisor[d];
         result[static_cast<std::size_t>(e - d)] = p[e];
         for (int i = 0; i < e; ++i) {
@@ -194,7 +196,7 @@ std::uint64_t reduced(const Integer& x) noexcept {
 
 }  // namespace
 
-// Computes the greatest common divisor modulo the prime; if that is a constant, the polynomials have no common root.
+// Returns true if the greatest common divisor modulo the prime is a constant; the polynomials then have no common root.
 // Proof: let h divide both polynomials, with integer coefficients that have no common divisor. Unless the prime divides
 // the leading coefficients of both polynomials, it does not divide the leading coefficient of h. Then h has the same
 // degree modulo the prime, and divides both polynomials there; so h is a constant, too.

@@ -1,5 +1,6 @@
-// A Polynomial has integer coefficients and a limited degree. Determinants of points that move on straight lines, or of
-// which those of one body turn, are polynomials in time of degree three at most; where both bodies turn, five.
+// A Polynomial has integer coefficients and a limited degree. Determinants of moving points are polynomials in time: of
+// degree three at most if the points move on straight lines, or if only one body turns; of degree five at most if both
+// bodies turn.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace ecods::exact {
 
-// Represents the number m / 2^bits.
+// A BinaryFraction is the number m / 2^bits.
 struct BinaryFraction {
     Integer m;
     int bits = 0;
@@ -35,7 +36,7 @@ class PolynomialOf {
 
     friend PolynomialOf operator+(const PolynomialOf& p, const PolynomialOf& q) { return sum(p, q); }
     friend PolynomialOf operator-(const PolynomialOf& p, const PolynomialOf& q) { return difference(p, q); }
-    // The degrees of p and q must add up to at most degree_max.
+    // Returns the product of p and q, whose degrees must add up to at most degree_max.
     friend PolynomialOf operator*(const PolynomialOf& p, const PolynomialOf& q) { return product(p, q); }
 
     // Returns the sign of the polynomial's value at s.
@@ -85,7 +86,7 @@ PolynomialOf<degree_max> quotient(PolynomialOf<degree_max> p, const PolynomialOf
 template <int degree_max>
 bool are_coprime(const PolynomialOf<degree_max>& p, const PolynomialOf<degree_max>& q) noexcept;
 
-// Counts the sign changes in the sequence of the first degree + 1 coefficients, ignoring zeros.
+// Returns the number of sign changes in the sequence of the first degree + 1 coefficients, ignoring zeros.
 //
 // By Descartes' rule of signs, applied to s / (1 - s): for Bernstein coefficients on an interval, the count is at least
 // the number of roots strictly inside, counted with multiplicities, and exceeds it by an even number.

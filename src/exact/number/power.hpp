@@ -11,8 +11,8 @@
 
 namespace ecods::exact {
 
-// Stands for the exponent of zero. Its sum with any exponent is below -2148, and the sum of the exponents of two
-// numbers that are not zero is at least -2148.
+// Stands for the exponent of zero. The sum of exponent_of_zero and any exponent is below -2148, and the sum of the
+// exponents of two numbers that are not zero is at least -2148.
 inline constexpr int exponent_of_zero = -8192;
 
 // Returns 2^e. The result must be a normal number.

@@ -1,8 +1,8 @@
 // Roots are isolated by sign changes of Bernstein coefficients (Collins and Akritas, Polynomial real root isolation
-// using Descartes's rule of signs, SYMSAC 1976). For polynomials without multiple roots this terminates.
+// using Descartes's rule of signs, SYMSAC 1976). The isolation terminates for polynomials without multiple roots.
 //
-// A polynomial p with multiple roots is the product of polynomials without, one for each multiplicity, which divisions
-// by greatest common divisors find (Musser, Multivariate polynomial factorization, 1975).
+// A polynomial p with multiple roots is the product of polynomials without multiple roots, one for each multiplicity,
+// which divisions by greatest common divisors find (Musser, Multivariate polynomial factorization, 1975).
 #include "exact/number/root.hpp"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ std::uint64_t nearest(const BinaryFraction& x, bool is_exact) {
 // Suppose that a term p_j s^j is larger than all other terms together at s = 2^-k and at s = 1. Then it is larger at
 // all s between: each ratio |p_i s^i| / |p_j s^j| is a convex function of log s. At s = 1 the ratio is less than 1/4 if
 // p_i has at least three bits less than p_j. At s = 2^-k and for i < j it is less than 1/4 if k (j - i) is at most the
-// number of bits beyond these three. For i > j the ratio is smaller at 2^-k than at 1.
+// number of bits beyond these three. For i > j the ratio at 2^-k is smaller than at 1.
 template <class P>
 int bits_without_roots(const P& p) {
     for (int j = 1; j <= p.degree(); ++j) {
@@ -127,7 +127,8 @@ std::vector<RootOf<P>> simple_roots(const P& p) {
     return roots;
 }
 
-// Appends the roots in (0, 1] of p, which must have no multiple roots. `roots` must have none of them.
+// Appends to `roots` the roots in (0, 1] of p, which must have no multiple roots. `roots` must not contain a root of p
+// yet.
 template <class P>
 void add_simple_roots(const P& p, std::vector<RootOf<P>>& roots) {
     for (RootOf<P>& root : simple_roots(p)) {
@@ -142,7 +143,7 @@ template <class P>
 std::vector<RootOf<P>> multiple_roots(const P& p, P d) {
     std::vector<RootOf<P>> roots;
     for (P all = quotient(p, d); all.degree() > 0;) {
-        // `all` has the roots that have not been found, each once; those of `again` are roots of d, too.
+        // `all` has the roots that have not been found, each once; `again` has the common roots of `all` and d.
         P again = gcd(all, d);
         if (again.degree() < all.degree()) add_simple_roots(quotient(all, again), roots);
         if (again.degree() > 0) d = quotient(d, again);
@@ -211,8 +212,8 @@ void RootOf<P>::move_to(const BinaryFraction& part) {
     local_.drop_zeros();
 }
 
-// Interpolates linearly between the values at both ends, by their leading bits. The values have opposite signs, or one
-// of them is zero.
+// Returns the part in which the linear interpolation between the values at both ends is zero, from the values' leading
+// bits. The values have opposite signs, or one value is zero.
 template <class P>
 std::int64_t RootOf<P>::guess(int bits) const {
     constexpr int kept = 60;
@@ -230,9 +231,9 @@ std::int64_t RootOf<P>::guess(int bits) const {
     return std::min(part, (std::int64_t{1} << bits) - 1);
 }
 
-// Uses quadratic interval refinement (Abbott 2014). If the guessed one of 2^gain_ parts contains the root, the interval
-// becomes that part, and gain_ is doubled: so it is where the polynomial is nearly linear. Otherwise the interval and
-// gain_ are halved.
+// Shortens the interval by quadratic interval refinement (Abbott 2014). If the guessed one of 2^gain_ parts contains
+// the root, as happens if the polynomial is nearly linear, the interval becomes that part, and gain_ is doubled.
+// Otherwise the interval and gain_ are halved.
 template <class P>
 void RootOf<P>::shorten() {
     constexpr int gain_max = 48;
@@ -263,8 +264,9 @@ void RootOf<P>::refine(int bits) {
     while (!is_fraction_ && from_.bits < bits) shorten();
 }
 
-// In the interval the divisor has either this root alone or no root. The number of sign changes exceeds the number of
-// its roots by an even number, so an odd count means that it has the root.
+// Returns true if this number is a root of the divisor, which has either this root alone or no root in the interval.
+// The number of sign changes exceeds the number of the divisor's roots by an even number, so an odd count proves the
+// root.
 template <class P>
 bool RootOf<P>::is_root_of_divisor(const P& divisor) const {
     const int degree = divisor.degree();

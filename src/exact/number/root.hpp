@@ -1,5 +1,5 @@
-// A Root is an exact real number: a root of a polynomial with integer coefficients, of the type P. It can be compared
-// and rounded, and other polynomials can be evaluated at it.
+// A Root is an exact real number: a root of a polynomial with integer coefficients, of the type P. Roots can be
+// compared and rounded, and the signs of other polynomials at a root can be computed.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,9 @@
 
 namespace ecods::exact {
 
-// Holds a real number in (0, 1]: either a binary fraction, or the only root of a polynomial strictly between m / 2^bits
-// and (m + 1) / 2^bits, which must be a simple root. Functions may shorten the interval, and keep the shorter one.
+// A RootOf holds a real number in (0, 1]: either a binary fraction, or the only root of a polynomial strictly between m
+// / 2^bits and (m + 1) / 2^bits, which must be a simple root. Functions may shorten the interval, and keep the shorter
+// one.
 template <class P>
 class RootOf {
   public:
@@ -26,10 +27,10 @@ class RootOf {
     // both polynomials proves that the value is zero, which bounds the work.
     int sign_of(const P& g);
 
-    // Returns the sign of x - y. May shorten the intervals of both.
+    // Returns the sign of x - y. The call may shorten the intervals of x and y.
     friend int compare(RootOf& x, RootOf& y) { return compare_roots(x, y); }
 
-    // Returns the nearest double, ties to even, but at least 2^-1074.
+    // Returns the double nearest to this number, ties to even, but at least 2^-1074.
     double round();
     // Returns true if this number is greater than x, which must be a positive double.
     bool is_above(double x);

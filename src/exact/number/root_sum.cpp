@@ -56,7 +56,8 @@ int compare(const RootSum& a, const ScaledInteger& b) {
     return sign(affine(ScaledInteger(1.0), a, -b));
 }
 
-// All numbers are multiplied by z z' of both sums, and their squares by (z z')^2 w w'.
+// Returns the sign of a - b. All numbers are multiplied by z z', where a has z and w, and b has z' and w'; squares are
+// multiplied by (z z')^2 w w'.
 int compare(const RootSum& a, const RootSum& b) {
     const Integer zz = a.z * b.z, scale = zz * zz;
     const ScaledInteger u = ScaledInteger(a.x * b.z, a.e) - ScaledInteger(b.x * a.z, b.e);

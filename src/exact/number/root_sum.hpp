@@ -1,5 +1,5 @@
-// A RootSum is the sum of a rational number and a square root of one, of either sign. Distances of rounded bodies and
-// the coordinates of their points are such numbers.
+// A RootSum is the sum of a rational number and the square root of a rational number, each of either sign. Distances of
+// rounded bodies and the coordinates of their points are such numbers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace ecods::exact {
 
-// Represents (x / z) 2^e + sqrt(y / w) 2^f, or the difference if `is_subtracted`. y >= 0; z and w are positive.
+// A RootSum is (x / z) 2^e + sqrt(y / w) 2^f, or the difference of the two parts if `is_subtracted`. y >= 0; z and w
+// are positive.
 struct RootSum {
     Integer x, z{std::int64_t{1}};
     int e = 0;
@@ -17,7 +18,7 @@ struct RootSum {
     int f = 0;
     bool is_subtracted = false;
 
-    // Returns -1, 0 or 1: the sign of the root as it is added.
+    // Returns the sign of the root part: -1 if a root is subtracted, 1 if it is added, 0 if it is zero.
     int root_sign() const noexcept { return y.is_zero() ? 0 : is_subtracted ? -1 : 1; }
 };
 
@@ -46,8 +47,8 @@ RootSum affine(const ScaledInteger& factor, const RootSum& sum, const ScaledInte
 // Returns the sign of a - b.
 //
 // Let U be the difference of the rational parts, and r, q the roots of a and b, signed. a - b = (U + r) - q. If U + r
-// and q have different signs, these decide. Otherwise their squares do: (U + r)^2 - q^2 = U^2 + r^2 - q^2 + 2 U r is a
-// rational number and a root again. So nothing is squared more than twice.
+// and q have different signs, the signs decide. Otherwise the squares decide: (U + r)^2 - q^2 = U^2 + r^2 - q^2 + 2 U r
+// is again the sum of a rational number and a root. So no number is squared more than twice.
 int compare(const RootSum& a, const RootSum& b);
 int compare(const RootSum& a, const ScaledInteger& b);
 

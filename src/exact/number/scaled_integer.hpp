@@ -8,7 +8,7 @@
 
 namespace ecods::exact {
 
-// Represents m * 2^e. A zero has e = 0.
+// A ScaledInteger is m * 2^e. A zero has e = 0.
 class ScaledInteger {
   public:
     ScaledInteger() = default;
@@ -20,7 +20,7 @@ class ScaledInteger {
     const Integer& m() const noexcept { return m_; }
     int e() const noexcept { return e_; }
 
-    // Returns this number divided by 2^unit. 2^unit must divide it.
+    // Returns this number divided by 2^unit, which must divide this number.
     Integer in_units(int unit) const { return m_.is_zero() ? Integer() : m_ << (e_ - unit); }
 
     ScaledInteger operator-() const { return {-m_, e_}; }

@@ -6,8 +6,8 @@
 namespace ecods::exact {
 namespace {
 
-// Divides the coordinates by the unit of their axis. If they are multiples of the unit and the quotients are doubles,
-// this is exact, because division rounds correctly.
+// Divides the coordinates of p by the unit of their axis. If the coordinates are multiples of the unit and the
+// quotients are doubles, the division is exact, because division rounds correctly.
 void divide(Point& p, const Vec3& unit) noexcept {
     for (std::size_t k = 0; k < 3; ++k) p[k] /= unit[static_cast<Eigen::Index>(k)];
 }
@@ -58,7 +58,7 @@ void Frame::find_bounds() noexcept {
     extent_ = high - low + Vec3::Constant(8 * delta_);
 }
 
-// Measures the width of all exact coordinates, and chooses the cheapest arithmetic for it.
+// Measures the width of all exact coordinates, and chooses the cheapest arithmetic that is exact for this width.
 void Frame::measure_digits() noexcept {
     arithmetic_ = Arithmetic::many_limbs;
     integers_.measure();
@@ -109,9 +109,9 @@ bool Frame::are_short(const Vec3& unit) const noexcept {
     return (extent_.array() / unit.array()).max(1.0).prod() <= 0x1p50;
 }
 
-// Returns for each axis a unit that divides all coordinates of R v + t - t0; 1 if all are zero. Call only if
-// points_are_doubles(): then a product of an entry of R and a coordinate of a mesh has at most 50 bits. The product of
-// the entry and the mesh's own unit, and the difference of the translations, have at most 50 bits, too.
+// Returns for each axis a unit that divides all coordinates of R v + t - t0; 1 if all are zero. Call this function only
+// if points_are_doubles(): then a product of an entry of R and a coordinate of a mesh has at most 50 bits. The product
+// of the entry and the mesh's own unit, and the difference of the translations, have at most 50 bits, too.
 Vec3 Frame::common_unit() const noexcept {
     Vec3 result;
     for (int row = 0; row < 3; ++row) {

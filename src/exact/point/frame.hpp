@@ -4,8 +4,8 @@
 // the distance of the bodies from each other, not from the origin.
 //
 // Vertices are posed on demand, rounded or as integers (IntegerFrame), and cached in small caches of fixed size. So a
-// question costs nothing for vertices that it does not use. The width of the exact coordinates is measured once for all
-// bodies, when the first question needs it. It determines which arithmetic gives exact signs.
+// query costs nothing for vertices that the query does not read. The width of the exact coordinates is measured once
+// for all bodies, when a query first needs exact signs. The width determines which arithmetic is exact.
 #pragma once
 
 #include <array>
@@ -27,7 +27,8 @@
 
 namespace ecods::exact {
 
-// Lists the kinds of arithmetic that give exact signs for all points of a frame, from the most to the least expensive.
+// Arithmetic lists the kinds of arithmetic that compute exact signs for all points of a frame, from the most to the
+// least expensive.
 enum class Arithmetic : std::uint8_t {
     unknown,      // not measured yet
     many_limbs,   // integers of more than two limbs
@@ -39,20 +40,21 @@ enum class Arithmetic : std::uint8_t {
 
 class Frame {
   public:
-    // Replaces all bodies. There must be at least one. The frame refers to the bodies, so they must outlive all later
-    // calls. Cost: constant for each body. Memory: 96 KiB for each body, kept for the bodies of later calls.
+    // Replaces all bodies of the frame by `bodies`, of which there must be at least one. The frame refers to the
+    // bodies, so they must outlive all later calls. Cost: constant for each body. Memory: 96 KiB for each body, kept
+    // for the bodies of later calls.
     void bind(std::span<const BodyRef> bodies);
 
     const BodyRef& body(std::size_t i) const noexcept { return integers_.body(i); }
 
-    // These bounds hold for rounded points until find_arithmetic() is called. delta() is an upper bound of the error of
-    // any coordinate, of all bodies or of one body. extent() is an upper bound of the difference of two points, by
-    // axis.
+    // delta() and extent() are bounds for rounded points, and hold until find_arithmetic() is called. delta() is an
+    // upper bound of the error of any coordinate, of all bodies or of one body. extent() is an upper bound of the
+    // difference of two points, by axis.
     double delta() const noexcept { return delta_; }
     double delta(std::size_t body) const noexcept { return bodies_[body].delta; }
     const Vec3& extent() const noexcept { return extent_; }
 
-    // Chooses the arithmetic, unless that has been done. Afterwards rounded points may be in other units, so points
+    // Chooses the arithmetic, if it has not been chosen yet. Afterwards rounded points may be in other units, so points
     // from before and after the call must not be mixed. Cost: constant for each body.
     void find_arithmetic() noexcept {
         if (arithmetic_ == Arithmetic::unknown) [[unlikely]]
@@ -75,15 +77,16 @@ class Frame {
         return integers_.posed(vertices);
     }
 
-    // Returns a power of two: rounded points times this power are integers below 2^52. Call only if arithmetic() is
-    // differences.
+    // Returns a power of two such that rounded points times this power are integers below 2^52. Call this function only
+    // if arithmetic() is differences.
     double to_integers() const noexcept {
         ECODS_ASSERT(arithmetic_ == Arithmetic::differences);
         return to_integers_;
     }
 
-    // Calls use(points) and returns its result; `points` has the exact points of the vertices as IntegerPoints<Kernel,
-    // N>, for a kernel that is wide enough. Call only if arithmetic() is one_limb, two_limbs or many_limbs.
+    // Calls use(points) and returns the result of use(); `points` has the exact points of the vertices as
+    // IntegerPoints<Kernel, N>, for a kernel that is wide enough. Call this function only if arithmetic() is one_limb,
+    // two_limbs or many_limbs.
     template <std::size_t N, class Use>
     auto with_integers(const std::array<VertexRef, N>& vertices, Use&& use);
 

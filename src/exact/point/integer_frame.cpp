@@ -16,12 +16,13 @@ void IntegerFrame::bind(std::span<const BodyRef> bodies) {
     }
 }
 
-// Sets the digits and the unit. A coordinate is the sum of three products and a difference of translations, each below
-// 2^high. So the difference of two coordinates is below 2^(high + 3), which must fit into difference_bits.
+// Sets the digits of all bodies and the unit. A coordinate is the sum of three products and a difference of
+// translations, each below 2^high. So the difference of two coordinates is below 2^(high + 3), which must fit into
+// difference_bits.
 //
-// If consecutive bodies have the same rotation, as in assemblies with many parallel faces, it is decoded once. Since
-// coordinates contain differences of translations, bodies that are near each other have short coordinates even far from
-// the origin.
+// If consecutive bodies have the same rotation, as in assemblies with many parallel faces, the rotation is decoded
+// once. Since coordinates contain differences of translations, bodies that are near each other have short coordinates
+// even far from the origin.
 void IntegerFrame::measure(const BitRange& others) noexcept {
     digits_ = {};
     const Vec3& t0 = bodies_[0].ref.pose->t;

@@ -28,12 +28,13 @@ class IntegerFrame {
   public:
     using Point = TwoLimbKernel::Point;
 
-    // Replaces all bodies. There must be at least one. The frame refers to the bodies, so they must outlive all later
-    // calls. Cost: some instructions for each body. Memory: 64 KiB for each body, kept for the bodies of later calls.
+    // Replaces all bodies of the frame by `bodies`, of which there must be at least one. The frame refers to the
+    // bodies, so they must outlive all later calls. Cost: some instructions for each body. Memory: 64 KiB for each
+    // body, kept for the bodies of later calls.
     void bind(std::span<const BodyRef> bodies);
-    // Computes the digits of all bodies and the unit; must be called before points are read. `others` are the digits of
-    // numbers that the caller will convert to the same unit; the unit divides these numbers if they and the points fit.
-    // Cost: constant for each body.
+    // Computes the digits of all bodies and the unit. Call this function before points are read. `others` are the
+    // digits of numbers that the caller will convert to the same unit; the unit divides these numbers if they and the
+    // points fit. Cost: constant for each body.
     void measure(const BitRange& others = {}) noexcept;
 
     void bind_pair(const BodyRef& a, const BodyRef& b, const BitRange& others = {}) {
@@ -45,7 +46,8 @@ class IntegerFrame {
     const BodyRef& body(std::size_t i) const noexcept { return bodies_[i].ref; }
     const PoseTerms& terms(std::size_t i) const noexcept { return bodies_[i].terms; }
 
-    // digits() are the digits of all terms of coordinates: products R_ij v_j, and differences of translations.
+    // digits() returns the range of digits of all terms of coordinates: products R_ij v_j, and differences of
+    // translations.
     const BitRange& digits() const noexcept { return digits_; }
     int unit() const noexcept { return unit_; }
     bool is_exact() const noexcept { return is_exact_; }

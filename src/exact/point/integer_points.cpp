@@ -6,7 +6,7 @@
 namespace ecods::exact {
 namespace {
 
-// Sets a coordinate of a kernel to from >> shift. The value must fit.
+// Sets `to`, a coordinate of a kernel, to from >> shift, which must fit.
 void assign(std::int64_t& to, std::span<const std::uint64_t> from, int shift) noexcept {
     to = static_cast<std::int64_t>(shift_right<1>(from, shift)[0]);
 }
@@ -19,7 +19,7 @@ void assign(std::array<std::uint64_t, M>& to, std::span<const std::uint64_t> fro
     to = shift_right<static_cast<int>(M)>(from, shift);
 }
 
-// Returns the digits of several numbers, from the bitwise or of all their magnitudes.
+// Returns the digits of several numbers, from `any`, the bitwise or of their magnitudes.
 template <int L>
 BitRange digits_of(const Limbs<L>& any) noexcept {
     BitRange range;

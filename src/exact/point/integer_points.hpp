@@ -1,5 +1,5 @@
-// IntegerPoints are N posed points as integers, for the narrowest kernel that is wide enough. For points with finite
-// coordinates, one of the kernels always is.
+// IntegerPoints are N posed points as integers, for the narrowest kernel that is wide enough. For finite coordinates,
+// at least one kernel is wide enough.
 #pragma once
 
 #include <array>
@@ -14,15 +14,16 @@
 
 namespace ecods::exact {
 
-// Holds points for an integer kernel, in units of 2^unit and translated by a common vector, which changes no sign.
+// IntegerPoints holds points for an integer kernel, in units of 2^unit and translated by a common vector, which changes
+// no sign.
 template <class Kernel, std::size_t N>
 struct IntegerPoints {
     std::array<typename Kernel::Point, N> at;
     int unit = 0;  // coordinates are in units of 2^unit
 };
 
-// Computes points relative to the first one, in as many limbs as all of their terms need. All questions share this
-// code. Only the code that uses the points is compiled for each question and each kernel.
+// WidePoints computes points relative to the first point, in as many limbs as the terms of all points need. All queries
+// share this code. Only the code that uses the points is compiled for each kind of query and each kernel.
 class WidePoints {
   public:
     // `terms` has an element for each point, and `limbs` has 3 limb_count_max elements for each point. Both are

@@ -9,9 +9,10 @@ void LinePoints::bind(const BodyRef& body) noexcept {
     products_.bind(body.pose->R, body.extent->digits, digits_);
 }
 
-// Sets the digits, the unit, and the line's numbers in that unit. A coordinate needs two more bits than its terms: it
-// is a sum of three products and a difference, each below 2^high. The kernel computes differences of corners itself.
-// Far from the origin, the differences computed here are shorter than their operands.
+// Sets the digits, the unit, and the line's beginning and direction in that unit; returns false if the digits do not
+// fit. A coordinate needs two more bits than its terms: it is a sum of three products and a difference, each below
+// 2^high. The kernel computes differences of corners itself. Far from the origin, the differences computed here are
+// shorter than their operands.
 bool LinePoints::bind(const Line& line) noexcept {
     terms_.set_offset(t_, line.a);
     DifferenceTerms along;

@@ -14,8 +14,8 @@
 
 namespace ecods::exact {
 
-// Works only if the digits of line and body fit into two limbs, as most do. Then a question about a triangle costs only
-// the computation of its three points.
+// LinePoints is used only if the digits of line and body fit into two limbs, as most do. A hit of a triangle then costs
+// only the computation of the triangle's three points.
 class LinePoints {
   public:
     using Point = TwoLimbKernel::Point;
@@ -23,8 +23,8 @@ class LinePoints {
     // Binds a body. Mesh and pose need not outlive the call.
     void bind(const BodyRef& body) noexcept;
 
-    // Binds a line, and returns true if the digits of body and line fit. The functions below may be called only if it
-    // did.
+    // Binds a line, and returns true if the digits of body and line fit. The functions below may be called only if the
+    // last bind(line) returned true.
     bool bind(const Line& line) noexcept;
 
     // Returns true if each coordinate fits into one limb: all are below 2^OneLimbKernel::coordinate_bits.

@@ -1,5 +1,5 @@
-// A MeshExtent has the facts about a mesh that exact arithmetic needs under any pose: its box, bit ranges and common
-// units.
+// A MeshExtent has the data of a mesh that exact arithmetic needs under any pose: the box, the bit ranges and the
+// common units of the coordinates.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace ecods::exact {
 
-// Describes the coordinates of the vertices that triangles use, by axis.
+// A MeshExtent describes the coordinates of the vertices that triangles use, by axis.
 struct MeshExtent {
     Vec3 center;                      // center of the vertices' box, rounded
     Vec3 half;                        // half the size of that box, rounded

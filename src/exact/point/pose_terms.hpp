@@ -1,5 +1,5 @@
-// PoseTerms represents a posed point R v + t - t0 as a sum of terms m 2^e. It serves integers of every width; no other
-// code decodes poses.
+// PoseTerms represents a posed point R v + t - t0 as a sum of terms m 2^e, which are converted to integers of any
+// width. All poses are decoded in this file.
 //
 // The terms are added in units of a power of two, in integers of two limbs, of several limbs, or of any length. Doubles
 // are decoded from their bits, without floating-point instructions, so neither the rounding mode nor flush-to-zero
@@ -55,8 +55,8 @@ inline void add_term(Integer& sum, Int128 m, int shift) {
     if (m != 0) sum = sum + (shift >= 0 ? Integer(m) << shift : Integer(m >> std::min(-shift, 127)));
 }
 
-// Holds the difference of two vectors. A coordinate is one term, or two terms if its digits are too far apart for one.
-// Unused terms have m = 0.
+// DifferenceTerms holds the difference of two vectors. A coordinate is one term, or two terms if its digits are too far
+// apart for one. Unused terms have m = 0.
 class DifferenceTerms {
   public:
     using Coordinate = std::array<DyadicDifference, 2>;

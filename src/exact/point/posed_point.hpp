@@ -13,7 +13,7 @@ inline ScaledLongVector exact_vector(const Vec3& v) {
     return {ScaledInteger(v[0]), ScaledInteger(v[1]), ScaledInteger(v[2])};
 }
 
-// Returns R v + t.
+// Returns R v + t exactly, for the pose [R t].
 inline ScaledLongVector posed_point(const Pose& pose, const Vec3& v) {
     PoseTerms terms;
     terms.set(pose, Vec3::Zero());

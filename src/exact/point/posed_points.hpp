@@ -13,14 +13,14 @@
 
 namespace ecods::exact {
 
-// Refers to a mesh and its pose. `extent` is the mesh's.
+// A BodyRef refers to a mesh, the mesh's extent and a pose.
 struct BodyRef {
     const Mesh* mesh;
     const MeshExtent* extent;
     const Pose* pose;
 };
 
-// Names a vertex by its index in a mesh, and the mesh's body by its index in a frame.
+// A VertexRef names a vertex by its index in a mesh, and the mesh's body by its index in a frame.
 struct VertexRef {
     std::size_t body;
     std::uint32_t vertex;
@@ -33,7 +33,7 @@ constexpr std::array<VertexRef, 6> corners_of(const Triangle& a, const Triangle&
     return {{{0, a[0]}, {0, a[1]}, {0, a[2]}, {second, b[0]}, {second, b[1]}, {second, b[2]}}};
 }
 
-// Refers to the point R v + t of a body with the pose [R t].
+// A PointRef refers to the point R v + t of a body with the pose [R t].
 struct PointRef {
     const Pose* pose;
     const Vec3* v;
@@ -70,7 +70,7 @@ RoundedPoints<N> plain_points(const PosedPoints<N>& exact) noexcept {
         const Vec3& v = *exact[i].v;
         result.points[i] = {v[0], v[1], v[2]};
     }
-    // This covers subnormal coordinates that the processor takes for zero.
+    // The bound 2^-1000 covers subnormal coordinates that the processor takes for zero.
     result.delta = 0x1p-1000;
     return result;
 }

@@ -18,7 +18,7 @@ namespace {
 
 using Point = SegmentEnds::Point;
 
-// Computes the products R v for up to three points v of one body.
+// EndProducts computes the products R v for up to three points v of one body.
 class EndProducts {
   public:
     EndProducts(const Pose& pose, std::span<const Vec3* const> points) noexcept : R_(pose.R), points_(points) {
@@ -30,8 +30,8 @@ class EndProducts {
     // All products and their sums are below 2^high().
     int high() const noexcept { return high_; }
 
-    // Adds a product in units of 2^unit, rounded down. Clears is_exact if digits are lost. A short product has 126
-    // digits below 2^high(), and unit >= high() - 120, so at least 6 digits are dropped.
+    // Adds the product R v of point `end` to `to`, in units of 2^unit, rounded down. Clears is_exact if digits are
+    // lost. A short product has 126 digits below 2^high(), and unit >= high() - 120, so at least 6 digits are dropped.
     void add(std::size_t end, int unit, Point& to, bool& is_exact) const noexcept {
         if (form_ == Form::zero) return;
         if (form_ == Form::terms) {
@@ -99,7 +99,7 @@ class EndProducts {
     std::optional<PoseTerms> terms_;  // set only if digits do not fit
 };
 
-// Adds t in units of 2^unit, rounded down.
+// Adds the translation t to `to`, in units of 2^unit, rounded down. Clears is_exact if digits are lost.
 void add_translation(const std::array<Dyadic, 3>& t, int unit, Point& to, bool& is_exact) noexcept {
     for (std::size_t k = 0; k < 3; ++k) {
         const Dyadic& x = t[k];

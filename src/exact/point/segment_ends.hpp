@@ -1,5 +1,5 @@
-// SegmentEnds computes the ends of two posed segments in the world as integers of one unit, of 121 binary digits. It is
-// made for questions about two points or segments alone: nothing is cached, and most ends take nine multiplications.
+// SegmentEnds computes the ends of two posed segments in the world as integers of one unit, of 121 binary digits.
+// SegmentEnds is made for bodies of one point or segment: nothing is cached, and most ends take nine multiplications.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace ecods::exact {
 
-// Refers to the segment between R p + t and R q + t. A point has p and q at one address.
+// A SegmentRef refers to the segment between R p + t and R q + t. A point has p and q at one address.
 struct SegmentRef {
     const Pose* pose;
     const Vec3 *p, *q;
@@ -17,7 +17,7 @@ struct SegmentRef {
     bool is_point() const noexcept { return p == q; }
 };
 
-// Refers to a posed point and to the corners of a posed triangle.
+// A PointAndTriangle refers to a posed point and to the corners of a posed triangle.
 struct PointAndTriangle {
     const Pose* pose_of_point;
     const Vec3* point;
@@ -28,13 +28,14 @@ struct PointAndTriangle {
 struct SegmentEnds {
     using Point = TwoLimbKernel::Point;
 
-    // Numbers that the caller will convert to this unit must be below 2^high. All numbers must be finite.
+    // Computes the ends of segments a and b. Numbers that the caller will convert to the same unit must be below
+    // 2^high. All numbers must be finite.
     SegmentEnds(const SegmentRef& a, const SegmentRef& b, int high) noexcept;
 
-    // Makes the segment from corner p of the triangle to corner q, on side `of_triangle`, and on the other side the one
-    // from the point x to x - (r - p). The difference of two points of these segments, at S and T, is then that of x
-    // and p + S (r - p) + T (q - p), or of these with the opposite sign. So the segments are closest where x is closest
-    // to the triangle's plane. Ends that are not exact have the error bound of other ends.
+    // Makes the segment from corner p of the triangle to corner q, on side `of_triangle`, and on the other side the
+    // segment from the point x to x - (r - p). The difference of the two segments' points at the parameters S and T is
+    // the difference of x and p + S (r - p) + T (q - p), up to its sign. So the closest points of the segments
+    // correspond to x and its foot in the triangle's plane. Ends that are not exact have the error bound of other ends.
     SegmentEnds(const PointAndTriangle& refs, std::size_t of_triangle, int high) noexcept;
 
     // A coordinate is the sum of three products and a translation, each rounded down: it is less than 4 units too low,

@@ -1,7 +1,9 @@
-// A matrix or vector is short if its digits fit into 64 bits. All but a few percent of rotated models are. The product
-// of a short matrix and a short vector takes nine multiplications; a sum of general terms costs several times as much.
+// A matrix or vector is short if its digits fit into 64 bits. The matrices and vertices of all but a few percent of
+// rotated models are short. The product of a short matrix and a short vector takes nine multiplications; a sum of
+// general terms costs several times as much.
 //
-// Floating-point instructions are used to scale and convert numbers. This is exact in any rounding mode.
+// Floating-point instructions are used to scale and convert numbers. The scaling and the conversions are exact in any
+// rounding mode.
 #pragma once
 
 #include <array>
@@ -32,7 +34,7 @@ inline bool to_short(double x, double power, std::int64_t& result) noexcept {
 
 class ShortMatrix {
   public:
-    // Binds R and returns true if its digits fit. The functions below may be called only if they did.
+    // Binds R and returns true if its digits fit. The functions below may be called only if bind() returned true.
     bool bind(const Mat3& R) noexcept;
 
     // The entries are integers in units of 2^unit(); times(x) returns the matrix times x in that unit.
@@ -51,8 +53,8 @@ class ShortMatrix {
     int unit_ = 0;
 };
 
-// Computes products R v for the vertices v of a mesh. If R and all vertices are short it multiplies short numbers,
-// otherwise it adds general terms.
+// ShortProducts computes products R v for the vertices v of a mesh: from short numbers if R and all vertices are short,
+// otherwise as sums of general terms.
 class ShortProducts {
   public:
     // Binds R. `v` are the digits of the vertices' coordinates, and `products` the digits of all products R_ij v_j.

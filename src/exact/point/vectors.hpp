@@ -1,5 +1,5 @@
-// Vectors of doubles are computed in the order of operations that the error bounds assume; vectors of exact numbers,
-// too.
+// The functions of this file compute with vectors of doubles, in the order of operations that the error bounds assume,
+// and with vectors of exact numbers.
 #pragma once
 
 #include <algorithm>

@@ -8,12 +8,12 @@
 
 namespace ecods::exact {
 
-// The cache is direct-mapped: vertices with the same remainder modulo `size` share an entry, which holds the value of
-// the last one. With the default size, rounded points take 32 KiB, the size of a level 1 cache.
+// A VertexCache is direct-mapped: vertices with the same remainder modulo `size` share an entry, which holds the value
+// of the last one. With the default size, rounded points take 32 KiB, the size of a level 1 cache.
 template <class Value, std::size_t size = 1024>
 class VertexCache {
   public:
-    // Removes all values in constant time: it only changes a counter.
+    // Removes all values in constant time, by changing a counter.
     void clear() noexcept {
         epoch_ += std::uint64_t{1} << 32;
         if (epoch_ == 0) {  // after 2^32 calls tags would repeat

@@ -56,7 +56,8 @@ class DifferenceSigns {
     // `scale` is a power of two: coordinates times scale are integers below 2^52. The points must outlive this object.
     DifferenceSigns(const Points<N>& points, double scale) noexcept : points_(points), scale_(scale) {}
 
-    // All three signs are computed without branches, because a processor cannot predict which points are in the plane.
+    // Returns the three signs of sides(), computed without branches, because a processor cannot predict which points
+    // are in the plane.
     Sides sides(int plane, int points) noexcept {
         const PlainNormal n = plain_normal(at(plane), at(plane + 1), at(plane + 2));
         const PlainNormal m = permanent_normal(at(plane), at(plane + 1), at(plane + 2));

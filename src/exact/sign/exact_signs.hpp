@@ -21,7 +21,8 @@
 
 namespace ecods::exact {
 
-// Holds the signs of three points relative to one plane: the side on which each point is, or 0 if it is in the plane.
+// Sides holds the signs of three points relative to one plane: the side on which each point is, or 0 if it is in the
+// plane.
 using Sides = std::array<int, 3>;
 
 // Kernel is an integer kernel, or PlainArithmetic.

@@ -1,4 +1,4 @@
-// The error bounds of the floating-point filter are formulas in u = 2^-53. They are derived here.
+// This file derives the error bounds of the floating-point filter.
 //
 // Roundings and points are as in exact/point/point.hpp: u' = 2^-52 bounds one operation in any rounding mode, and delta
 // is an upper bound of the error of a point's coordinate. After overflow or with NaN, a bound is infinite or a
@@ -43,18 +43,19 @@ namespace ecods::exact {
 
 inline constexpr double infinite_bound = std::numeric_limits<double>::infinity();
 
-// Holds upper bounds, by axis, of the error of a rounded difference and of the magnitude of differences.
+// A DifferenceBound holds upper bounds, by axis, of the error of a rounded difference and of the magnitude of
+// differences.
 struct DifferenceBound {
     std::array<double, 3> error;
     std::array<double, 3> magnitude;
 };
 
-// own_delta is the delta of coordinates that were not posed: it covers subnormal coordinates that the processor takes
-// for zero.
+// own_delta is the error bound of coordinates that were not posed: it covers subnormal coordinates that the processor
+// takes for zero.
 inline constexpr double own_delta = 0x1p-1000;
 
-// `extent` is the largest difference of rounded points on each axis. `delta` is an upper bound of the error of a
-// point's coordinate.
+// Returns the bounds of differences of points. `extent` is the largest difference of rounded points on each axis.
+// `delta` is an upper bound of the error of a point's coordinate.
 inline DifferenceBound difference_bound(const std::array<double, 3>& extent, double delta) noexcept {
     DifferenceBound bound;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -87,13 +88,13 @@ inline double orient2d_bound(const DifferenceBound& d, std::size_t i, std::size_
     return is_in_range(d, bound) ? bound : infinite_bound;
 }
 
-// Holds error bounds of all determinants of some points.
+// DeterminantBounds holds error bounds of all determinants of some points.
 struct DeterminantBounds {
     double orient3d;
     std::array<double, 3> orient2d;  // [axis]: for the projection along that axis
 };
 
-// `extent` and `delta` are as in difference_bound().
+// Returns error bounds of all determinants of points. `extent` and `delta` are as in difference_bound().
 inline DeterminantBounds determinant_bounds(const std::array<double, 3>& extent, double delta) noexcept {
     const DifferenceBound d = difference_bound(extent, delta);
     return {orient3d_bound(d), {orient2d_bound(d, 1, 2), orient2d_bound(d, 2, 0), orient2d_bound(d, 0, 1)}};

@@ -14,7 +14,7 @@
 namespace ecods::exact {
 
 // Returns the axis on which the rounded normal of points plane, plane + 1 and plane + 2 is largest: a projection along
-// it is best for the filter. Returns -1 if the normal may be zero on that axis.
+// this axis is best for the filter. Returns -1 if the normal may be zero on that axis.
 template <std::size_t N>
 int certain_normal_axis(const Points<N>& points, int plane, const DeterminantBounds& bounds) noexcept {
     ECODS_ASSERT(plane >= 0 && static_cast<std::size_t>(plane) + 2 < N);
@@ -25,7 +25,7 @@ int certain_normal_axis(const Points<N>& points, int plane, const DeterminantBou
     return size[largest] > bounds.orient2d[largest] ? static_cast<int>(largest) : -1;
 }
 
-// Computes signs of determinants of rounded points; a sign is 0 if the filter cannot decide it.
+// FilterSigns computes signs of determinants of rounded points; a sign is 0 if the filter cannot decide it.
 template <std::size_t N>
 class FilterSigns {
   public:
@@ -57,7 +57,8 @@ class FilterSigns {
     const DeterminantBounds& bounds_;
 };
 
-// Computes signs by the filter, and from the same points as integers if the filter cannot decide.
+// FilteredSigns computes signs of determinants by the filter, and from the same points as integers if the filter cannot
+// decide.
 template <class Kernel, std::size_t N>
 class FilteredSigns {
   public:

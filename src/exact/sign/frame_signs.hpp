@@ -12,9 +12,8 @@
 
 namespace ecods::exact {
 
-// Returns an error bound of orient3d for all rounded points of a frame. It holds until Frame::find_arithmetic() is
-// called.
-// Claim: verify/proofs/filter_bound.py
+// Returns an error bound of orient3d for all rounded points of a frame. The bound holds until Frame::find_arithmetic()
+// is called. Claim: verify/proofs/filter_bound.py
 inline double orient3d_bound(const Frame& frame) noexcept {
     const Vec3& extent = frame.extent();
     return orient3d_bound(difference_bound({extent[0], extent[1], extent[2]}, frame.delta()));
@@ -26,11 +25,11 @@ inline DeterminantBounds determinant_bounds(const Frame& frame, double delta) no
     return determinant_bounds({extent[0], extent[1], extent[2]}, delta);
 }
 
-// Calls ask(signs) and returns its result; `signs` is a provider of exact signs, for which point i is vertices[i].
-// `ask` must accept every provider of this folder.
+// Calls ask(signs) and returns the result of ask(); `signs` is a provider of exact signs, for which point i is
+// vertices[i]. `ask` must accept every provider of this folder.
 //
-// Cost: computes a bound for just these points, and converts them to integers even if these are not needed. If the
-// filter decides most cases of a question, try the plain determinants with orient3d_bound(frame) first, as
+// Cost: a bound is computed for just these points, and the points are converted to integers even if the integers are
+// not needed. If the filter decides most cases, try the determinants in doubles with orient3d_bound(frame) first, as
 // query/intersection does.
 template <std::size_t N, class Ask>
 auto with_signs(Frame& frame, const std::array<VertexRef, N>& vertices, Ask&& ask) {

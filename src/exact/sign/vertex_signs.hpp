@@ -12,18 +12,19 @@ namespace ecods::exact {
 // Returns error bounds of all determinants of points whose coordinates are exact. There must be at least one point.
 DeterminantBounds own_bounds(std::span<const Vec3> points) noexcept;
 
-// Uses one error bound for all vertices. If it does not decide a sign, tests first without arithmetic if the points are
-// obviously in one plane, for example in a face perpendicular to an axis, and then calls the exact predicate.
+// VertexSigns uses one error bound for all vertices. If the bound does not decide a sign, it tests first without
+// arithmetic if the points are obviously in one plane, for example in a face perpendicular to an axis, and then calls
+// the exact predicate.
 class VertexSigns {
   public:
     // The vertices must outlive this object. Cost: one pass over them.
     explicit VertexSigns(std::span<const Vec3> vertices) noexcept
         : vertices_(vertices), bounds_(own_bounds(vertices)) {}
 
-    // Returns the same as ecods::orient3d for the vertices: exact.
+    // Returns the exact sign of det(b - a, c - a, d - a) for four vertices, as ecods::orient3d does.
     int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const noexcept;
 
-    // Returns the sign of component `axis` of (b - a) x (c - a): exact.
+    // Returns the exact sign of component `axis` of (b - a) x (c - a).
     int orient2d(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const noexcept;
 
   private:

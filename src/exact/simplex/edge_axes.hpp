@@ -4,8 +4,8 @@
 // The plane of a triangle that is a segment is not known from rounded points, because all its determinants are about
 // zero. Without this test, a pair with such a triangle would need integers whenever its boxes meet, and real meshes
 // have such triangles. Disjoint convex polygons that neither polygon's plane separates are separated by the cross
-// product of an edge of each (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996, section 5). It is certainly not zero
-// for most pairs.
+// product of an edge of each (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996, section 5). This product is
+// certainly not zero for most pairs.
 #pragma once
 
 #include <algorithm>

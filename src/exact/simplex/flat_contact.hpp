@@ -1,6 +1,7 @@
-// flat_contact decides from signs alone (exact/sign/exact_signs.hpp) how a triangle without area meets a triangle with
-// an area. The first one spans a segment or a point. It also finds where pieces of the segment may begin on the
-// boundary of the second one. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
+// flat_contact decides from signs alone (exact/sign/exact_signs.hpp) how a triangle without area, which spans a segment
+// or a point, meets a triangle with an area. flat_contact also finds where pieces of the segment may begin on the
+// boundary of the second triangle. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the
+// second.
 #pragma once
 
 #include <array>

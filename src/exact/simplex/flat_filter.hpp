@@ -1,5 +1,6 @@
-// filter_flat tests in doubles, with one error bound, if two triangles in one plane share a point. They are seen along
-// a coordinate axis. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
+// filter_flat tests in doubles, with one error bound, if two triangles in one plane share a point. The triangles are
+// projected along a coordinate axis. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the
+// second.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +14,11 @@ namespace ecods::exact {
 
 enum class FlatAnswer : std::uint8_t { disjoint, touching, unknown };
 
-// `bound` must be an error bound of every orient2d of these points along the axis. As in coplanar_pair()
-// (triangle_pair.hpp), the triangles are disjoint if and only if all of one is strictly on the outer side of an edge of
-// the other. An edge certainly separates the triangles if all three values are beyond the bound. No edge separates them
-// if each edge has a corner of the other triangle certainly on its inner side. Both answers need certain turns of the
-// triangles. An infinite bound gives `unknown`.
+// Returns the filter's FlatAnswer for the two triangles. `bound` must be an error bound of every orient2d of the six
+// points along the axis. As in coplanar_pair() (triangle_pair.hpp), the triangles are disjoint if and only if all of
+// one is strictly on the outer side of an edge of the other. An edge certainly separates the triangles if all three
+// values are beyond the bound. No edge separates them if each edge has a corner of the other triangle certainly on its
+// inner side. Both answers need certain turns of the triangles. If the bound is infinite, the result is `unknown`.
 inline FlatAnswer filter_flat(const Points<6>& w, int axis, double bound) noexcept {
     bool may_separate = false;
     for (const std::size_t own : {std::size_t{0}, std::size_t{3}}) {

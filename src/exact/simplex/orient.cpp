@@ -13,7 +13,8 @@ using namespace exact;
 
 const Pose identity;
 
-// Returns ask(signs), the sign of one determinant. First `signs` is the filter; if its answer is 0 (unknown), integers.
+// Returns ask(signs), the sign of one determinant. `signs` is first the filter; if the filter's sign is 0 (unknown),
+// `signs` computes in integers.
 template <std::size_t N, class Ask>
 Sign decide(const PosedPoints<N>& exact, const RoundedPoints<N>& rounded, Ask&& ask) noexcept {
     const DeterminantBounds bounds = determinant_bounds(rounded.points, rounded.delta);

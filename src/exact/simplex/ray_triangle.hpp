@@ -18,13 +18,14 @@
 
 namespace ecods::exact {
 
-// Names a ray's axis, 0 to 2, and its direction along the axis: 1 for up, -1 for down.
+// A RayDirection is a ray's axis, 0 to 2, and the direction along the axis: 1 for up, -1 for down.
 struct RayDirection {
     int axis = 0;
     int sign = 1;
 };
 
-// Names the open feature of a triangle that contains a given point; `none` if the point is not on the triangle.
+// A PointFeature is the open feature of a triangle that contains a given point; `none` if the point is not on the
+// triangle.
 struct PointFeature {
     enum class Kind : std::uint8_t { none, vertex, edge, face };
 
@@ -98,16 +99,16 @@ bool inner_ray_crosses(Signs& signs, RayDirection ray) {
     return crosses(signs, ray, in_shadow, above);
 }
 
-// Says how a ray meets a triangle of positive area.
+// RayContact classifies how a ray meets a triangle of positive area.
 enum class RayContact : std::uint8_t {
     misses,
     crosses,
     begins_on,
 };
 
-// Decides how the ray from m = p + d (q - p) + d^2 (r - p) + d^3 e_i + d^4 e_j meets the triangle; d > 0 is
-// infinitesimal, and p, q and r are points 3, 4 and 5. They may be equal or on one line: for q = r, m is beside p on
-// the way to q.
+// Returns how the ray from m = p + d (q - p) + d^2 (r - p) + d^3 e_i + d^4 e_j meets the triangle; d > 0 is
+// infinitesimal, and p, q and r are points 3, 4 and 5. p, q and r may be equal or on one line: for q = r, m is beside p
+// on the way to q.
 //
 // Let m' be m without the last two terms. The ray begins on the triangle if m' is on it. Otherwise m' may be in the
 // triangle's plane and beside the triangle: then the ray misses it. Or m' is not in the plane: then the last two terms

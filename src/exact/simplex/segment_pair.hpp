@@ -1,5 +1,5 @@
-// Triangles of zero area are decided as the segments or points that they span, from signs alone (triangle_pair.hpp). A
-// triangle is named by the index of the first of its three corners.
+// The functions of this file relate triangles of zero area as the segments or points that they span, from signs alone
+// (triangle_pair.hpp). A triangle is named by the index of the first of its three corners.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace ecods::exact {
 
-// Names a segment by the indices of its ends. The indices are equal if the segment is a point.
+// A Segment is named by the indices of its ends. The indices are equal if the segment is a point.
 struct Segment {
     int a;
     int b;
 };
 
-// Compares two points by x, then y, then z, and returns -1, 0 or 1. Points of any line are sorted along it in this
-// order.
+// Returns the order of two points by x, then y, then z, as -1, 0 or 1. In this order, points of a line are sorted along
+// the line.
 template <class Signs>
 int compare_lexicographically(Signs& signs, int a, int b) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -81,8 +81,8 @@ bool meets_in_plane(Signs& signs, Segment s, int first, int axis) {
     return false;
 }
 
-// Decides how a segment or point s meets the triangle from corner `first`, which must have an area. The result is
-// crossing if the open segment and the open triangle share exactly one point.
+// Returns the relation of a segment or point s and the triangle from corner `first`, which must have an area. The
+// result is crossing if the open segment and the open triangle share exactly one point.
 template <class Signs>
 Relation segment_triangle(Signs& signs, Segment s, int first) {
     const int side_a = signs.orient3d(first, first + 1, first + 2, s.a);
@@ -105,8 +105,8 @@ Relation segment_triangle(Signs& signs, Segment s, int first) {
     return side_a * side_b < 0 && !zero ? Relation::crossing : Relation::touching;
 }
 
-// Decides a pair of triangles if at least one of them has zero area. Two segments that meet are in one plane, so the
-// result is touching.
+// Returns the relation of two triangles, at least one of which has zero area. Two segments that meet are in one plane,
+// so the result is touching.
 template <class Signs>
 Relation degenerate_pair(Signs& signs) {
     const bool first_is_flat = signs.normal_axis(0) < 0;

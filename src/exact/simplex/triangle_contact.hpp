@@ -2,11 +2,11 @@
 // and along which of their features. Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the
 // second.
 //
-// Triangles in two planes share the intersection of their intervals on the line of the planes (triangle_pair.hpp). It
-// is a segment if and only if both comparisons there are strict and neither interval is a single corner. An interval is
-// a single corner if this corner is in the other's plane and the other two corners are strictly on one side of it. The
-// whole segment lies on a side of a triangle if both ends of that side are in the other's plane. Otherwise it is inside
-// the triangle.
+// Triangles in two planes share the intersection of their intervals on the line of the planes (triangle_pair.hpp). The
+// intersection is a segment if and only if both comparisons there are strict and neither interval is a single corner.
+// An interval is a single corner if this corner is in the other's plane and the other two corners are strictly on one
+// side of it. The whole segment lies on a side of a triangle if both ends of that side are in the other's plane.
+// Otherwise it is inside the triangle.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ struct TriangleContact {
     static constexpr int face = -1;
 
     ContactKind kind = ContactKind::none;
-    // first and second are set only for a segment. `first` is the side of the first triangle on which the segment lies,
-    // named by its first corner, or `face` if it lies inside the triangle. `second` is the same for the second
+    // `first` and `second` are set only for a segment. `first` is the side of the first triangle on which the segment
+    // lies, named by its first corner, or `face` if it lies inside the triangle. `second` is the same for the second
     // triangle.
     int first = face;
     int second = face;
@@ -51,7 +51,8 @@ inline bool is_single_corner(const Sides& s) noexcept {
     return (s[0] == 0) + (s[1] == 0) + (s[2] == 0) == 1 && !strictly_on_both(s);
 }
 
-// The second triangle must have an area. If the first one has none, the result is none, coplanar or flat.
+// Returns the contact of two triangles. The second triangle must have an area. If the first triangle has no area, the
+// result is none, coplanar or flat.
 template <class Signs>
 TriangleContact triangle_contact(Signs& signs) {
     const Sides first = signs.sides(3, 0);

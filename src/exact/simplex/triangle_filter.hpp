@@ -2,8 +2,8 @@
 // Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
 //
 // A bound is finite or infinite. If it is finite, coordinates are so small that no NaN or infinity arises
-// (exact/sign/filter_bound.hpp). If it is infinite, every comparison with it is false. So std::min and std::max need no
-// special care about NaN.
+// (exact/sign/filter_bound.hpp). If it is infinite, every comparison with it is false. So std::min and std::max never
+// see a NaN.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,8 @@
 
 namespace ecods::exact {
 
-// Lists the filter's answers. None is "touching", since the filter cannot distinguish zero from a small number.
+// A FilterAnswer is a result of the filter. There is no answer "touching", since the filter cannot distinguish zero
+// from a small number.
 enum class FilterAnswer { disjoint, crossing, unknown };
 
 // Returns the relation that follows from the answer; nullopt if the answer is unknown.
@@ -28,7 +29,7 @@ inline std::optional<Relation> certain_relation(FilterAnswer answer) noexcept {
     return answer == FilterAnswer::disjoint ? Relation::apart : Relation::crossing;
 }
 
-// Holds the determinants of one triangle's plane and each corner of the other triangle.
+// PlaneSides holds the determinants of one triangle's plane and each corner of the other triangle.
 struct PlaneSides {
     double a, b, c;
 
@@ -49,7 +50,8 @@ ECODS_ALWAYS_INLINE PlaneSides plane_sides(const Points<6>& w, std::size_t own, 
     return {plain_side(n, w[own], w[other]), plain_side(n, w[own], w[other + 1]), plain_side(n, w[own], w[other + 2])};
 }
 
-// Compares the intervals along the line of the two planes. All signs in `first` and `second` must be certain (1 or -1).
+// Returns the filter's answer from the triangles' intervals along the line of the two planes. All signs in `first` and
+// `second` must be certain (1 or -1).
 inline FilterAnswer filter_edges(const Points<6>& w, const Sides& first, const Sides& second, double bound) noexcept {
     const EdgeComparison e = name_corners(first, second);
     const auto at = [&](int i) -> const Point& { return w[static_cast<std::size_t>(i)]; };
@@ -60,14 +62,15 @@ inline FilterAnswer filter_edges(const Points<6>& w, const Sides& first, const S
     return begin < -bound && end < -bound ? FilterAnswer::crossing : FilterAnswer::unknown;
 }
 
-// Holds the determinants that the filter computed. If the filter's answer was unknown, later stages use them again.
+// A FilterTrace holds the determinants that the filter computed. If the filter's answer was unknown, later stages reuse
+// these determinants.
 struct FilterTrace {
     PlaneSides first;   // the first triangle's corners and the second's plane
     PlaneSides second;  // the reverse; not set if `first` sufficed for the answer
 };
 
-// Decides if the triangles share a point, or returns unknown. `bound` must be an error bound of every orient3d of these
-// points. Sets `trace`.
+// Returns whether the triangles are disjoint or crossing, or `unknown`. `bound` must be an error bound of every
+// orient3d of the six points. Sets `trace` to the determinants.
 ECODS_ALWAYS_INLINE FilterAnswer filter(const Points<6>& w, double bound, FilterTrace& trace) noexcept {
     trace.first = plane_sides(w, 3, 0);
     if (trace.first.are_beyond(bound)) return FilterAnswer::disjoint;
@@ -77,7 +80,8 @@ ECODS_ALWAYS_INLINE FilterAnswer filter(const Points<6>& w, double bound, Filter
     return filter_edges(w, trace.first.certain_signs(bound), trace.second.certain_signs(bound), bound);
 }
 
-// Does the same as filter() with another bound, from the determinants in `trace`, both of which must be set.
+// Returns the answer of filter() for another bound, from the determinants in `trace`, whose `first` and `second` must
+// be set.
 inline FilterAnswer filter_again(const Points<6>& w, double bound, const FilterTrace& trace) noexcept {
     if (trace.first.are_beyond(bound) || trace.second.are_beyond(bound)) return FilterAnswer::disjoint;
     if (!trace.first.are_certain(bound) || !trace.second.are_certain(bound)) return FilterAnswer::unknown;

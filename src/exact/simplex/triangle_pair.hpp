@@ -41,7 +41,7 @@ inline bool strictly_on_both(const Sides& s) noexcept {
     return (s[0] > 0 || s[1] > 0 || s[2] > 0) && (s[0] < 0 || s[1] < 0 || s[2] < 0);
 }
 
-// Names the corner that is alone on its side of a plane; `negative` is true if that is the negative side.
+// An Apex is the corner that is alone on its side of a plane; `negative` is true if that side is the negative one.
 struct Apex {
     int corner;
     bool negative;
@@ -60,7 +60,7 @@ inline Apex find_apex(const Sides& s) noexcept {
     return {s[0] == wanted ? 0 : s[1] == wanted ? 1 : 2, negative};
 }
 
-// Names the corners p1, q1, r1, p2, q2, r2 of the derivation above, after its swaps.
+// An EdgeComparison names the corners p1, q1, r1, p2, q2, r2 of the derivation above, after the swaps there.
 struct EdgeComparison {
     int p1, q1, r1, p2, q2, r2;
 };
@@ -75,8 +75,9 @@ inline EdgeComparison name_corners(const Sides& first, const Sides& second) noex
     return e;
 }
 
-// Decides two triangles with areas in one plane, whose normal must not be zero on `axis`: they are projected along it.
-// Two convex polygons are disjoint if and only if all of one is strictly on the outer side of an edge of the other.
+// Returns the relation of two triangles with areas in one plane, whose normal must not be zero on `axis`, along which
+// the triangles are projected. Two convex polygons are disjoint if and only if all of one is strictly on the outer side
+// of an edge of the other.
 template <class Signs>
 Relation coplanar_pair(Signs& signs, int axis) {
     for (const int own : {0, 3}) {
@@ -96,8 +97,8 @@ Relation coplanar_pair(Signs& signs, int axis) {
     return Relation::touching;
 }
 
-// Decides a pair in which all corners of one triangle are in the other's plane. (All points have side 0 to a triangle
-// of zero area.)
+// Returns the relation of two triangles if all corners of one triangle are in the other's plane. (All points have side
+// 0 to a triangle of zero area.)
 template <class Signs>
 Relation flat_pair(Signs& signs) {
     const int axis = signs.normal_axis(3);

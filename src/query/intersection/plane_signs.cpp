@@ -27,7 +27,8 @@ void PlaneSigns::use(Frame& frame, const CoplanarGroups& a, const CoplanarGroups
     turn_ = {};
 }
 
-// Returns the sign of det R of the body's pose, computed on first use, because often no pair of planes needs it.
+// Returns -1 if the pose mirrors the body, otherwise 1. The sign is computed on first use, because often no pair of
+// planes needs it.
 int PlaneSigns::turn(std::size_t body) {
     if (turn_[body] == 0) turn_[body] = is_mirror(frame_->body(body).pose->R) ? -1 : 1;
     return turn_[body];
