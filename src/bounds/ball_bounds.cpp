@@ -18,7 +18,8 @@ using namespace exact;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A gap is the distance x - y >= 0 of the center from the box on one axis; x = y = 0 if there is none.
+// A gap is the distance x - y >= 0 of the center from the box on one axis; x = y = 0 if the center is within the box on
+// this axis.
 struct Gap {
     double x = 0;
     double y = 0;

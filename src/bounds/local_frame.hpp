@@ -19,7 +19,8 @@ struct LocalFrame {
     Vec3 half = Vec3::Ones();      // oriented box: |y_k| <= half_k for every point of the mesh
     bool is_bounded = true;        // false if coordinates are too large for a frame; then every box is infinite
 
-    // coordinates(v) returns y for a point v of the mesh, with an error of at most coordinate_error on each axis.
+    // coordinates(v) returns the coordinates y of a point v of the mesh, as defined above, with an error of at most
+    // coordinate_error on each axis.
     Mat3 inverse = Mat3::Identity();
     Vec3 coordinates(const Vec3& v) const { return inverse * (v - center); }
 };

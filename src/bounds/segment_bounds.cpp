@@ -44,7 +44,8 @@ SegmentBounds::SegmentBounds(const Segment& segment) noexcept : segment_(segment
     }
 }
 
-// Relies on s = d_y (z - a_z) - d_z (y - a_y): s grows with z if d_y > 0, and with y if d_z < 0.
+// Chooses each end of the part by a sign of the direction d: s = d_y (z - a_z) - d_z (y - a_y) grows with z if d_y > 0,
+// and with y if d_z < 0.
 inline std::array<double, 2> SegmentBounds::corner(const Aabb& box, int y, int z, int side) const noexcept {
     const bool is_upper_z = sign_[static_cast<std::size_t>(y)] == side;
     const bool is_upper_y = sign_[static_cast<std::size_t>(z)] != side;

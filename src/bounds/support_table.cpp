@@ -47,7 +47,8 @@ constexpr std::size_t face_size = SupportTableGrid::face_size, direction_count =
 
 }  // namespace
 
-// Computes the table. Its values have rounding errors: points are y = (v - center) / scale, so |y| <= sqrt(3), and
+// Computes the values of the table, which have rounding errors: points are y = (v - center) / scale, so |y| <= sqrt(3),
+// and
 // |direction| <= sqrt(3). With v = 2^-23, rounding the point to floats costs 1.01 v of each coordinate, and the product
 // 3.01 v: together below 4.1 v sum |direction_k y_k| <= 4.1 v 3 < 13 v.
 // Claim: verify/proofs/float_determinants.py

@@ -30,7 +30,8 @@ struct SupportTableGrid {
 
 class SupportTable {
   public:
-    // Cost: some hundred nanoseconds for each vertex. `frame` must outlive the table.
+    // Computes the table of the mesh in its local frame. Cost: some hundred nanoseconds for each vertex. `frame` must
+    // outlive the table.
     SupportTable(const Mesh& mesh, const LocalFrame& frame);
 
     // Returns a box that contains the exact body. On each side it is loose by at most an eighth of the mesh's half

@@ -38,8 +38,8 @@ void OverlapTracker::reserve(std::size_t count) {
     if (finder_) finder_->reserve(count);
 }
 
-// Updates events_. If the update fails, the table stays as it was; the finder, which may have changed in part, is
-// dropped, and the next update finds all pairs from scratch.
+// Sets events_ to the pairs that began and ended since the last update. If the update fails, the table stays as it was;
+// the finder, which may have changed in part, is dropped, and the next update finds all pairs from scratch.
 void OverlapTracker::update(PairKeeper& keeper) {
     events_.clear();
     const ProxyChanges& changes = table_.collect();

@@ -116,7 +116,7 @@ class FieldReader {
 
 class TraceReader {
   public:
-    // Reads the header. Throws InvalidTrace if it is malformed.
+    // Reads the header of the trace. Throws InvalidTrace if it is malformed.
     explicit TraceReader(std::istream& in);
 
     BroadPhaseKind broad_phase() const noexcept { return broad_phase_; }
@@ -126,7 +126,8 @@ class TraceReader {
     // Returns true if the trace is of version 1, in which solids collide as their surfaces.
     bool is_of_version_1() const noexcept { return is_of_version_1_; }
 
-    // Returns the next item, or nullopt at the end. Throws InvalidTrace, also for a mesh that Mesh::create rejects.
+    // Returns the next item of the trace, or nullopt at the end. Throws InvalidTrace, also for a mesh that Mesh::create
+    // rejects.
     std::optional<TraceItem> next();
 
     // Returns the number, from 1, of the last line of the last item.

@@ -1,4 +1,4 @@
-// Records what changed since the last update that succeeded.
+// Records the changes of bodies and pairs since the last update that succeeded.
 #pragma once
 
 #include <algorithm>

@@ -33,8 +33,8 @@ void PairRelations::follow(const Bodies& bodies, const PairVerdicts& collisions)
     if (!are_listed_) add_untouched(bodies, collisions.verdicts());
 }
 
-// Computes the next list. A listed pair stays if this update did not process it and neither body changed. Any other
-// listed pair is in tests_ again, or is filtered out, apart, or has ended.
+// Computes the next list of relations. A listed pair stays if this update did not process it and neither body changed.
+// Any other listed pair is in tests_ again, or is filtered out, apart, or has ended.
 void PairRelations::prepare(const Changes& changes) {
     next_.clear();
     if (!are_wanted_) return;

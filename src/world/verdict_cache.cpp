@@ -82,9 +82,9 @@ void VerdictCache::take_place(VerdictIndex index) noexcept {
     places_[place] = {hash, index};
 }
 
-// Empties a place. The gap is filled with a later entry, unless that entry would then stand before its home place; the
-// gap that this entry leaves is filled in the same way (Knuth, volume 3, algorithm 6.4R). No mark of a removed entry
-// remains, so probes do not get longer.
+// Empties a place of the hash table. The gap is filled with a later entry, unless that entry would then stand before
+// its home place; the gap that this entry leaves is filled in the same way (Knuth, volume 3, algorithm 6.4R). No mark
+// of a removed entry remains, so probes do not get longer.
 void VerdictCache::free_place(std::size_t place) noexcept {
     const std::size_t mask = places_.size() - 1;
     for (std::size_t other = (place + 1) & mask; places_[other].index != no_verdict; other = (other + 1) & mask) {

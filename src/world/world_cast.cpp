@@ -19,15 +19,16 @@
 namespace ecods {
 namespace {
 
-// Casts `a`, moved by `motion`, against `b`. If the test takes the two in the other order, moves `b` by -motion
-// instead, which gives the same contact.
+// Returns the first contact of `a`, which is translated by `motion`, and `b` at rest. If the test takes the two in the
+// other order, moves `b` by -motion instead, which gives the same contact.
 std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Vec3& motion,
                                     const Posed<Shape>& b, double max_time, QueryMemory& memory) {
     return in_order(test, test.swapped ? test.test->cast(b, -motion, a, max_time, memory)
                                        : test.test->cast(a, motion, b, max_time, memory));
 }
 
-// Casts `a`, in any motion, against `b` at rest, in the order of the test.
+// Returns the first contact of `a`, which moves by `motion`, and `b` at rest. The test gets the two bodies in the order
+// of its kinds.
 std::optional<FirstContact> cast_of(const OrderedTest& test, const Posed<Shape>& a, const Motion& motion,
                                     const Posed<Shape>& b, double max_time, QueryMemory& memory) {
     if (const auto* const straight = std::get_if<Straight>(&motion)) {

@@ -57,7 +57,8 @@ double DistanceAxes::distance_below(float square) const noexcept {
     return certain > 0 ? std::sqrt(certain) * (1 - 0x1p-48) * unit_ : 0;
 }
 
-// The errors are derived in triangle_bounds_text.hpp: 9 E, and 4 v of the length. Underflow of the square is below E.
+// Adds the errors that triangle_bounds_text.hpp derives: 9 E, where E is the error bound of a corner, and 4 v = 4 *
+// 2^-23 of the length. Underflow of the square is below E.
 double distance_above(const DistanceSet& set, float square, double unit) noexcept {
     const auto& errors = set.axes.point_error;
     const double error = 9 * static_cast<double>(std::max({errors[0], errors[1], errors[2]}));

@@ -74,7 +74,7 @@ class DistanceAxes {
 // DistanceAxes, for a first body that is one point, at the origin of the axes.
 class PointAxes {
   public:
-    // Binds a posed tree; `d` is fl(t - point).
+    // Binds a posed tree; `d` is fl(t - point), where t is the translation of the tree's pose.
     void bind(const PosedTree& tree, const Vec3& d);
 
     // Returns true if squared distances distinguish nodes: the tree is bounded, and the point is not so far away that

@@ -44,7 +44,8 @@ class FarGap {
     // result is finite and not negative.
     float rank_above(double distance) const noexcept;
 
-    // a and b are the vectors m_a and m_b, for the kernels: n in the coordinates of the first and of the second tree.
+    // a and b are the vectors m_a and m_b of the derivation above, for the kernels: the axis n in the coordinates of
+    // the first and of the second tree.
     std::array<float, 3> a{}, b{};
     float reach = 0;
 

@@ -23,7 +23,7 @@ ECODS_ALWAYS_INLINE std::array<Matrix4, 2> bind_sets(std::array<MotionSet, 2>& s
     return {normals_a, normals_b};
 }
 
-// Returns the squares of |n x e| for three axes n.
+// Returns the squares of |n x e| for three axes n, the rows of `normals`, and the vector e = `axis`.
 ECODS_ALWAYS_INLINE Double4 squares_across(const Matrix4& normals, const Vec3& axis) noexcept {
     const Double4 &x = normals.column[0], &y = normals.column[1], &z = normals.column[2];
     const double* const e = axis.data();

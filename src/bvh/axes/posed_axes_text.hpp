@@ -90,7 +90,8 @@ ECODS_ALWAYS_INLINE Matrix<V> normals_along(const EdgesOf<V>& edges) noexcept {
     return transpose(Matrix<V>{{normal(0), normal(1), normal(2)}});
 }
 
-// Holds the face normals N of a tree's box for any pose, and own = P = N R map of that tree.
+// Holds the face normals N of a tree's box for any pose R, t, and own = P = N R map, where `map` is that of the tree's
+// frame.
 struct FaceNormals {
     Matrix4 N, own;
 
@@ -104,8 +105,8 @@ struct FaceNormals {
     }
 };
 
-// Holds both trees on three axes in doubles; if V is Double8, on the normals of a in the low half and of b in the high
-// half.
+// Holds two trees a and b on three axes in doubles. If V is Double8, the low half is on the normals of a, and the high
+// half is on the normals of b.
 template <class V>
 struct AxesOf {
     Matrix<V> own, other;  // matrix P (separating_axes.hpp) of the tree that gives the axes; of the other
@@ -198,8 +199,8 @@ ECODS_ALWAYS_INLINE void store_transposed(const Float4 (&rows)[4], std::array<st
     store_anywhere(first_three[2].data(), shuffle<0, 1, 4, 5>(high_01, high_23));
 }
 
-// Sets the projection from the columns of P and, as the fourth column, the shift. `size` has the magnitudes of the
-// converted numbers, which differ from the exact ones by a factor of float_u.
+// Sets the projection from the columns of the matrix P (separating_axes.hpp) and, as the fourth column, the shift.
+// `size` has the magnitudes of the converted numbers, which differ from the exact ones by a factor of float_u.
 ECODS_ALWAYS_INLINE void set_projection(Projection& projection, const Float4 (&columns)[4]) noexcept {
     for (std::size_t j = 0; j < 3; ++j) {
         store_anywhere(projection.p[j].data(), columns[j]);

@@ -17,7 +17,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double float_u = 0x1p-23;
 
-// Holds a tree's local frame at its pose, in a unit in which the entries of R map are at most about one.
+// Holds a tree's local frame at its pose R, t, in a unit in which the entries of R map are at most about one.
 struct PosedRoot {
     Mat3 edges;      // R map
     Vec3 from;       // R center - (p - t)

@@ -28,7 +28,8 @@ struct TriangleBatch {
 
     bool is_full() const noexcept { return count == tree_width; }
 
-    // Adds the pair of triangle i of leaf x and triangle j of leaf y. `pair` names the two in their meshes.
+    // Adds the pair of triangle i of leaf x and triangle j of leaf y. `pair` has the indices of both triangles in their
+    // meshes.
     void add(const LeavesOnAxes& leaves, std::size_t i, std::size_t j, const TrianglePair& pair) noexcept {
         for (std::size_t c = 0; c < 3; ++c) {
             for (std::size_t k = 0; k < 3; ++k) {

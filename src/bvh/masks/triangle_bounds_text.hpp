@@ -65,7 +65,7 @@ struct BoundsKernel : ProjectedLanes<float_width> {
         }
     };
 
-    // Holds the closest two points found so far in each lane: `from` in a, and from + n in b.
+    // Holds the closest two points found so far in each lane: `from` in triangle a, and from + n in triangle b.
     struct Closest {
         Floats square;
         Vector n{}, from{};

@@ -82,13 +82,14 @@ struct TriangleLanes : ProjectedLanes<float_width> {
         crossing = (begin < -bound) & (end < -bound);
     }
 
-    // Holds two sets of pairs: bit i in lane j is for triangle i of x and triangle j of y.
+    // Holds two sets of pairs of triangles of leaves x and y: bit i in lane j is for triangle i of x and triangle j of
+    // y.
     struct Found {
         Ints near;      // not proven disjoint
         Ints crossing;  // pairs in `near` that are proven to cross in the coordinates of the corners
     };
 
-    // Holds the normals of the eight triangles of x.
+    // Holds the normals of the eight triangles of a leaf x.
     struct Normals {
         alignas(32) std::array<FloatLanes, 3> at;
 

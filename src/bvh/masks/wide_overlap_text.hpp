@@ -1,7 +1,7 @@
 // bvh/masks/overlap_mask.cpp includes this source for registers of sixteen floats.
 
-// WideOverlap tests pairs of lanes as OverlapKernel does, but two lanes of y at once: a mask of sixteen bits is two
-// bytes of the result.
+// WideOverlap tests pairs of lanes as OverlapKernel does, but two lanes of the second node at once: a mask of sixteen
+// bits is two bytes of the result.
 struct WideOverlap : avx2::ProjectedLanes<8> {
     using AxisSets = std::array<AxisSet, 2>;
 
