@@ -44,7 +44,7 @@ std::optional<BodyEntry> World::entering(const Asked& asked, const Vec3& motion,
     }
     Asking asking(ask);
     // Searches for entries up to max_time, not up to the time of an entry found before: only entries that precede the
-    // limit are found, so an entry that ties with the one found before would be missed.
+    // limit are found, so an entry that ties with the one found before would not be found.
     first.visit(w, subject, w.box_of(subject), motion, [&](const Slot& slot, double) {
         return ecods::entering(mover, motion, mesh_at(slot.posed()), max_time, asking.memory());
     });

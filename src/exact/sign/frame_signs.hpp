@@ -13,7 +13,8 @@
 namespace ecods::exact {
 
 // Returns an error bound of orient3d for all rounded points of a frame. The bound holds until Frame::find_arithmetic()
-// is called. Claim: verify/proofs/filter_bound.py
+// is called.
+// Claim: verify/proofs/filter_bound.py
 inline double orient3d_bound(const Frame& frame) noexcept {
     const Vec3& extent = frame.extent();
     return orient3d_bound(difference_bound({extent[0], extent[1], extent[2]}, frame.delta()));

@@ -8,7 +8,8 @@
 // one rounding more, and 9 u' S covers them. The distance that is searched is a sum of three rounded numbers, and the
 // reach of half a motion is a product with six roundings: 8 u' times each number covers its roundings. Numbers that
 // underflow lose less than 2^-1000 in all; times that may be flushed to zero count as 2^-900. If a number overflows,
-// all pairs are listed. Claim: verify/proofs/root_sums.py
+// all pairs are listed.
+// Claim: verify/proofs/root_sums.py
 #pragma once
 
 #include <cstddef>

@@ -120,7 +120,8 @@ class LineAsked {
 
     // Returns a parameter beyond which the infinite line is outside the box of the body; infinity if none is known.
     // Along the axis on which the line is fastest, the box is passed after the greater distance of its ends. The
-    // differences of ends, sums and quotients have five roundings, which 8 u' covers. Claim: verify/proofs/root_sums.py
+    // differences of ends, sums and quotients have five roundings, which 8 u' covers.
+    // Claim: verify/proofs/root_sums.py
     double last_of_box() const {
         const Aabb box = rounded_.what->box(rounded_.pose);
         const Vec3 step = line_.is_ray ? line_.b : Vec3(line_.b - line_.a);

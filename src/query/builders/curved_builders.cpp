@@ -58,7 +58,8 @@ int digit_count(const CurvedPart& part) noexcept {
 //
 // Some scale suffices. Rounding moves a coordinate by at most half of a unit in the last place, and so by at most half
 // of the radius. So relative to the radii, the hull's extent along any axis is less than that of the unit polytope by
-// at most sqrt(3) / 2. The last scale is 5 times the first one. Claim: verify/proofs/outer_polytopes.md
+// at most sqrt(3) / 2. The last scale is 5 times the first one.
+// Claim: verify/proofs/outer_polytopes.md
 template <class PointsAt>
 Circumscribed grow(Int128 scale, const CurvedBody& body, const PointsAt& points_at) {
     const int digits = digit_count(body.back());

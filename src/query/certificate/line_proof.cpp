@@ -71,8 +71,8 @@ class LineProof {
 
 // Projects the piece of the segment from `from` to from + s (to - from) onto n, s being `parameter_`. The second point
 // has two products, each with the errors of a difference, of the rounded parameter and of a product, and two sums: with
-// u' = 2^-52, it is off by less than 8 u' (|from| + |to|) on each axis. Products with n add 4 u'. Claim:
-// verify/proofs/lines_and_times.py
+// u' = 2^-52, it is off by less than 8 u' (|from| + |to|) on each axis. Products with n add 4 u'.
+// Claim: verify/proofs/lines_and_times.py
 LineProof::Axis LineProof::bind(const Vec3& n) const {
     Axis axis;
     axis.n = n;

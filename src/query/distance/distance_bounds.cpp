@@ -44,7 +44,8 @@ DistanceBounds enclosed_bounds(DistanceSearch& search, double at_most) {
 
 }  // namespace
 
-// The difference and each product have a relative error of at most u' = 2^-52. Claim: verify/proofs/small_bounds.py
+// The difference and each product have a relative error of at most u' = 2^-52.
+// Claim: verify/proofs/small_bounds.py
 bool surface::is_narrow(const DistanceBounds& bounds, const DistanceTolerance& tolerance) {
     if (key_of(bounds.upper) - key_of(bounds.lower) <= 1) return true;
     if (key_of(bounds.upper) == key_of(infinity)) return false;
