@@ -34,8 +34,9 @@ struct SegmentEnds {
 
     // Makes the segment from corner p of the triangle to corner q, on side `of_triangle`, and on the other side the
     // segment from the point x to x - (r - p). The difference of the two segments' points at the parameters S and T is
-    // the difference of x and p + S (r - p) + T (q - p), up to its sign. So the closest points of the segments
-    // correspond to x and its foot in the triangle's plane. Ends that are not exact have the error bound of other ends.
+    // the difference of x and p + S (r - p) + T (q - p), up to its sign. So the closest points of the segments are at
+    // the S and T for which p + S (r - p) + T (q - p) is the foot of x in the triangle's plane, if S and T are in [0,
+    // 1]. Ends that are not exact have the error bound of other ends.
     SegmentEnds(const PointAndTriangle& refs, std::size_t of_triangle, int high) noexcept;
 
     // A coordinate is the sum of three products and a translation, each rounded down: it is less than 4 units too low,

@@ -2,8 +2,8 @@
 // Points 0 to 2 are the corners of the first triangle, 3 to 5 the corners of the second.
 //
 // A bound is finite or infinite. If it is finite, coordinates are so small that no NaN or infinity arises
-// (exact/sign/filter_bound.hpp). If it is infinite, every comparison with it is false. So std::min and std::max never
-// see a NaN.
+// (exact/sign/filter_bound.hpp). If the bound is infinite, every comparison with it is false, so a NaN in std::min or
+// std::max changes no answer.
 #pragma once
 
 #include <algorithm>

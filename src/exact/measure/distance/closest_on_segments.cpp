@@ -1,4 +1,5 @@
-// Doubles guess the parameters of the closest points; integers prove how far the guess is off.
+// The closest points of two segments are computed in two steps: doubles guess the parameters of the closest points, and
+// integers prove error bounds of the guess.
 //
 // Let x = p0 + S u and y = q0 + T v be points of the segments, S and T given numbers in [0, 1], and z = y - x. The
 // squared distance is a convex function of the parameters, whose derivatives by S and T are -2 z.u and 2 z.v. So x and
@@ -37,8 +38,8 @@
 namespace ecods::exact {
 namespace {
 
-// A parameter is the sum of two integers, in units of 2^-coarse_digits and 2^-fine_digits. The second is a correction
-// of less than fine_begin.
+// A parameter is the sum of two integers, in units of 2^-coarse_digits and 2^-fine_digits. The second integer is a
+// correction of less than fine_begin.
 constexpr int coarse_digits = 60, fine_digits = 105;
 constexpr double fine_begin = 0x1p-43;
 constexpr std::int64_t coarse_one = std::int64_t{1} << coarse_digits;
@@ -80,8 +81,8 @@ bool is_zero(const IntegerVector& v) noexcept {
 
 enum class Place : std::uint8_t { begin, end, inside };
 
-// A Side is one of the segments with its parameter. `outward` is 1 if the distance grows with the parameter where z.u
-// is positive, and -1 if the distance shrinks there.
+// A Side is one of the segments with its parameter. Let u be the segment's vector, and z the vector between the closest
+// points. If z.u is positive, the distance grows with the parameter if `outward` is 1, and shrinks if `outward` is -1.
 struct Side {
     Side(const std::array<IntegerVector, 2>& ends, bool is_point, int outward_sign) noexcept
         : begin(ends[0]), u(difference(ends[1], ends[0])), has_edge(!is_point), outward(outward_sign) {}
@@ -107,7 +108,7 @@ struct Side {
             coarse = std::clamp<std::int64_t>(coarse + static_cast<std::int64_t>(by * 0x1p60), 0, coarse_one);
         }
     }
-    // Returns an upper bound of a parameter inside the segment, before it is rounded.
+    // Returns an upper bound of the parameter, which is inside the segment, before it is rounded.
     double parameter_max() const noexcept {
         const Int128 all = (Int128{coarse} << (fine_digits - coarse_digits)) + fine;
         return (to_double(all) * 0x1p-105 + shift) * above;
@@ -170,7 +171,7 @@ class SegmentPair {
         b_.set_parameter(t);
     }
 
-    // Sets the points of both parameters. Newton's method refines the parameters that are inside: the function is
+    // Sets the points at both parameters. Newton's method refines the parameters that are inside: the function is
     // quadratic, so one step is exact except for rounding. A step below fine_begin sets the fine parts and is the last;
     // a larger step moves the coarse parts, and another step follows.
     void set_points() noexcept {
@@ -206,10 +207,11 @@ class SegmentPair {
         }
     }
 
-    // Returns true if z.u and z.v are exact.
+    // Returns true if the residuals z.u and z.v of the derivation above are exact.
     bool are_exact() const noexcept { return ends_.is_exact && a_.place != Place::inside && b_.place != Place::inside; }
 
-    // Sets the bounds of the errors of residuals and parameters; false if little is known of a segment's direction.
+    // Sets the error bounds of residuals and parameters; returns false if the error of a segment's direction is too
+    // large.
     bool find_errors() noexcept {
         const double of_z = are_exact() ? 0 : 4 * sum_of_magnitudes(to_doubles(z_)) + 72;
         for (Side* side : {&a_, &b_}) {
@@ -255,8 +257,9 @@ class SegmentPair {
         return true;
     }
 
-    // Finds the first closest features of parallel segments: two vertices, otherwise a vertex and the segment that has
-    // its foot inside. The distance of these is the distance of the two lines.
+    // Returns the closest points on the first closest features of parallel segments: two vertices, otherwise a vertex
+    // and the segment that has the vertex's foot inside. The distance of a vertex and its foot is the distance of the
+    // two lines.
     std::optional<ClosestOnSegments> find_parallel() noexcept {
         is_only_ = false;
         for (const Place of_a : {Place::begin, Place::end}) {
@@ -296,9 +299,9 @@ class SegmentPair {
         return pair_of(FeatureKind::vertex_vertex, 0, a, b);
     }
 
-    // Returns nullopt if a point's error bound is too large. If an edge is parallel to a coordinate axis and its point
-    // is inside, z is perpendicular to it, so both points have the same coordinate on this axis: an exact one is
-    // copied.
+    // Returns the closest points; nullopt if a point's error bound is too large. If an edge is parallel to a coordinate
+    // axis and its closest point is inside the edge, the vector between the closest points is perpendicular to this
+    // axis, so both points have the same coordinate there: an exact coordinate is copied to the other point.
     std::optional<ClosestOnSegments> result() const noexcept {
         ClosestOnSegments result{features(), {a_.point, b_.point}, {}, is_only_};
         for (const std::size_t i : {0, 1}) {

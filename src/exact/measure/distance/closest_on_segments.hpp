@@ -1,4 +1,5 @@
-// Finds the closest points of two points or segments in fixed precision, with proven bounds.
+// closest_on_segments() computes the closest points of two points or segments in fixed precision, with proven error
+// bounds.
 #pragma once
 
 #include <array>
@@ -10,10 +11,10 @@
 
 namespace ecods::exact {
 
-// Holds the closest points, in the units of SegmentEnds, and bounds of their errors.
+// A ClosestOnSegments holds the closest points, in the units of SegmentEnds, and bounds of their errors.
 struct ClosestOnSegments {
-    // features is the first pair, in the order of feature_pairs, with closest points in both relative interiors. Its
-    // corners are corners of the triangles (p, q, q).
+    // `features` is the first pair, in the order of feature_pairs, with closest points in both relative interiors. A
+    // segment pq counts as the triangle (p, q, q), whose corners name the features.
     FeaturePair features;
     std::array<IntegerVector, 2> point;
     std::array<ErrorBounds, 2> errors;
@@ -23,14 +24,15 @@ struct ClosestOnSegments {
     std::array<double, 2> parameter_max{};
 
     FixedNumber number(std::size_t side, std::size_t k) const noexcept { return {point[side][k], errors[side][k]}; }
-    // Returns the vector from the first point to the second; nullopt if they may be equal.
+    // Returns the vector from the first closest point to the second; nullopt if the points may be equal.
     std::optional<FixedVector> between() const noexcept {
         return FixedVector::of(difference(point[1], point[0]),
                                {errors[0][0] + errors[1][0], errors[0][1] + errors[1][1], errors[0][2] + errors[1][2]});
     }
 };
 
-// Returns nullopt if fixed precision does not decide which features are closest. The segments should not meet.
+// Returns the closest points of two segments; nullopt if fixed precision does not decide which features are closest.
+// For segments that meet, the result is nullopt or may not be used.
 std::optional<ClosestOnSegments> closest_on_segments(const SegmentEnds& ends) noexcept;
 
 }  // namespace ecods::exact

@@ -14,7 +14,7 @@
 
 namespace ecods::exact {
 
-// Holds the point num / den, relative to the first corner of the first triangle.
+// A WeightedPoint is the point num / den, relative to the first corner of the first triangle.
 template <int L>
 struct WeightedPoint {
     static constexpr int k = ExactFeatures<L>::coordinate_bits + 1;
@@ -33,14 +33,14 @@ struct WeightedPoint {
     }
 };
 
-// Refers to the two factors of a product of a weight and a vector.
+// A Weighted refers to the two factors of a product: a weight and a vector.
 template <int L>
 struct Weighted {
     const Magnitude<4 * L>& weight;
     const LimbVector<L>& vector;
 };
 
-// Returns p + (s u) / den, or with two terms p + (s u + t v) / den. Each term is a Weighted.
+// Returns the point p + (s u) / den, or p + (s u + t v) / den. Each term, s u and t v, is a Weighted.
 template <int L, class... Terms>
 WeightedPoint<L> weighted_point(const Magnitude<4 * L>& den, const LimbVector<L>& p, const Terms&... terms) noexcept {
     WeightedPoint<L> point;

@@ -1,7 +1,7 @@
-// A ClosestSlab is the space between two planes: the planes through two closest points, perpendicular to the segment
-// between them. Two sets on opposite sides of the slab have at least the distance of these points. So a search that has
-// found the points need not measure triangles outside the slab: most triangles that share a closest vertex or edge, and
-// all triangles at the same distance on parallel faces.
+// A ClosestSlab is the space between two planes through two closest points, perpendicular to the segment between the
+// points. The distance of two sets on opposite sides of the slab is at least the distance of the points. So a search
+// that has found the points need not measure triangles outside the slab: most triangles that share a closest vertex or
+// edge, and all triangles at the same distance on parallel faces.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@
 
 namespace ecods::exact {
 
-// Tests vertices exactly, for points whose coordinates have two limbs. A small cache keeps the result for each vertex.
+// A ClosestSlab tests vertices exactly, for points whose coordinates have two limbs. A small cache stores the result
+// for each vertex.
 class ClosestSlab {
   public:
     static constexpr int limb_count = 2;
@@ -23,8 +24,8 @@ class ClosestSlab {
     bool is_set() const noexcept { return is_set_; }
     void forget() noexcept { is_set_ = false; }
 
-    // Sets the slab. `n` points from the first body to the second; if is_turned, from the second to the first. x is the
-    // point of the first body and y the point of the second, in the two planes of the slab.
+    // Sets the slab's normal and planes. `n` points from the first body to the second; if is_turned, from the second to
+    // the first. x is the point of the first body and y the point of the second, in the two planes of the slab.
     template <int M>
     void set(const LimbVector<M>& n, bool is_turned, const Point& x, const Point& y) noexcept {
         is_set_ = true;
@@ -35,8 +36,8 @@ class ClosestSlab {
         for (auto& side : sides_) side.clear();
     }
 
-    // Returns true if vertex `vertex` of body `body` is not inside the open slab, but on its own body's side of it.
-    // point_of() returns the vertex's point.
+    // Returns true if vertex `vertex` of body `body` is not inside the open slab, but on the body's own side of the
+    // slab. point_of() returns the vertex's point.
     template <class PointOf>
     bool is_outside(std::size_t body, std::uint32_t vertex, PointOf&& point_of) noexcept {
         return sides_[body].get(vertex, [&](bool& is_outside) {

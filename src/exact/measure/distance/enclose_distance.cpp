@@ -1,5 +1,5 @@
-// Derivation. w, a1, a2, b1, b2, ScaledVectors, E, and the bounds of polynomials are defined in triangle_vectors.hpp.
-// The corners p and q there are corners of the guessed features.
+// Both bounds of the distance are derived with w, a1, a2, b1, b2, E and the bounds of polynomials of
+// triangle_vectors.hpp, where p and q are corners of the guessed features.
 //
 // The lower bound is the gap along a vector n, divided by the length of n. The length is at most sqrt(n.n) (1 + 4 u'):
 // each term of n.n has at most three factors 1 + e, all terms are positive, and the root has one more.
@@ -26,7 +26,8 @@ namespace {
 
 constexpr double root_of_3 = 1.7320509;
 
-// Computes both bounds for one pair of features, from the vector between the features and the vectors along them.
+// DistanceEnds computes both bounds of the distance for one pair of features, from the vector between the features and
+// the vectors along the features.
 class DistanceEnds {
   public:
     DistanceEnds(const IntegerPair& pair, const FeaturePair& f) noexcept : x_(pair, f) {

@@ -8,7 +8,7 @@
 
 namespace ecods::exact {
 
-// Holds a lower and an upper bound of a distance, or of a time of contact.
+// An Enclosure holds a lower and an upper bound of a distance, or of a time of contact.
 struct Enclosure {
     double lower = 0;
     double upper = std::numeric_limits<double>::infinity();
@@ -18,7 +18,7 @@ struct Enclosure {
 };
 
 // Returns an interval that contains the distance, even if the guess is wrong. The interval is narrow if `features` are
-// the closest ones. Holds in any rounding mode, with or without flush-to-zero or fused multiply-add.
+// the closest ones. The bounds hold in any rounding mode, with or without flush-to-zero or fused multiply-add.
 Enclosure enclose_distance(const IntegerPair& pair, const FeaturePair& features) noexcept;
 
 // Returns the sign of n . (p - q), where p is corner 0 of the first triangle, and q a corner and n the normal of the

@@ -3,12 +3,13 @@
 //
 // Let x be a point of the first triangle and y of the second, with n = y - x not zero. x and y are closest if and only
 // if no corner of the first triangle is beyond x along n, and no corner of the second is before y: the dot product with
-// n is a linear function, and a triangle is the convex hull of its corners. So a few signs decide about a pair of
-// features: they show if the feet are in the features, and if no other corner is on the wrong side. Any of these signs
-// may be zero: then other features contain points that are equally close, and x and y are still closest.
+// n is a linear function, and a triangle is the convex hull of its corners. So a few signs decide whether a pair of
+// features contains closest points: the signs show if the feet are in the features, and if no other corner is on the
+// wrong side. Any of these signs may be zero: then other features contain points that are equally close, and x and y
+// are still closest.
 //
 // For disjoint triangles some pair of features passes this test; for triangles that meet, only pairs at distance zero
-// do. Let x and y be closest. If each is in the relative interior of an edge or face, and these two features are
+// pass. Let x and y be closest. If each is in the relative interior of an edge or face, and these two features are
 // parallel to a common direction, both points can be moved along it by the same vector, until one is at the end of its
 // edge or on the border of its face. The pairs that remain are a vertex and any feature, and two edges that are not
 // parallel.
@@ -33,7 +34,7 @@
 
 namespace ecods::exact {
 
-// Says if a pair of features contains closest points x and y of the triangles.
+// A Standing classifies a pair of features by the closest points x and y of the triangles that the features contain.
 enum class Standing : std::uint8_t {
     none,    // it contains none
     border,  // x or y is on the border of its feature, so in a feature of lower dimension
@@ -66,9 +67,9 @@ class ExactFeatures {
     template <class Use>
     auto with_direction(const FeaturePair& f, Use&& use) const;
 
-    // Decides if the features have exactly one common point. Returns `inside` if this point is inside both features,
-    // `border` if it is on the border of a feature, and `none` if there is no such point. The features must not be
-    // parallel, unless one is a vertex.
+    // Returns `inside` if the features have exactly one common point and this point is inside both features, `border`
+    // if the point is on the border of a feature, and `none` if the features do not have exactly one common point. The
+    // features must not be parallel, unless one is a vertex.
     Standing meeting(const FeaturePair& f) const noexcept;
 
     // Sets all members of `result` except `exponent` to the squared distance of the features, which must contain
@@ -89,7 +90,8 @@ class ExactFeatures {
         const std::size_t of = 1 - f.vertex_side;
         return cross<L>(from(of, 0, 1), from(of, 0, 2));
     }
-    // Returns w: the corner that names the second triangle's feature minus the corner that names the first triangle's.
+    // Returns w: the corner that names the second triangle's feature minus the corner that names the first triangle's
+    // feature.
     Vector between(const FeaturePair& f) const noexcept { return difference<L>(corner(1, f.b), corner(0, f.a)); }
 
     // The foot of a vertex on the line of an edge is the edge's beginning plus (s / den) u.
@@ -131,7 +133,7 @@ class ExactFeatures {
     static_assert(4 * k + 5 < 64 * (4 * L));
     static_assert(6 * k + 6 <= 64 * (6 * L));
 
-    // Combines signs that must be >= 0: `hold` is true if all are, and `are_strict` if all are > 0.
+    // Signs combines signs that must be >= 0: `hold` is true if all signs are >= 0, and `are_strict` if all are > 0.
     struct Signs {
         bool hold = true;
         bool are_strict = true;
@@ -226,8 +228,8 @@ Standing ExactFeatures<L>::of_vertex_and_edge(const FeaturePair& f) const noexce
     return standing(inside, outside);
 }
 
-// Does the work of standing() for a vertex and a face, or two edges. Corners of the face or the edges are in planes
-// perpendicular to the gap, so they need no test. If the gap is zero, the two points are equal.
+// Returns standing() for a vertex and a face, or for two edges. Corners of the face or the edges are in planes
+// perpendicular to the gap, so these corners need no test. If the gap is zero, the two points are equal.
 template <int L>
 Standing ExactFeatures<L>::of_plane(const FeaturePair& f) const noexcept {
     const LimbVector<2 * L> n = normal(f);

@@ -16,8 +16,8 @@ struct FeaturePair {
     std::uint8_t vertex_side = 0;  // for vertex_edge and vertex_face: the triangle that has the vertex
     std::uint8_t a = 0, b = 0;
 
-    // corner(side) returns the corner that names the feature of triangle `side` (see above), and corner_count(side) how
-    // many corners that feature has.
+    // corner(side) returns the corner that names the feature of triangle `side` (see above), and corner_count(side) the
+    // number of corners of that feature.
     constexpr std::size_t corner(std::size_t side) const noexcept { return side == 0 ? a : b; }
     constexpr std::size_t corner_count(std::size_t side) const noexcept {
         if (kind == FeatureKind::vertex_vertex) return 1;
@@ -34,7 +34,8 @@ constexpr FeaturePair pair_of(FeatureKind kind, std::size_t vertex_side, std::si
     return {kind, static_cast<std::uint8_t>(vertex_side), static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)};
 }
 
-// Pairs vertex `vertex` of triangle `side` with feature `other` of the other triangle: an edge or a face, by `kind`.
+// Returns the pair of vertex `vertex` of triangle `side` and feature `other` of the other triangle: an edge or a face,
+// by `kind`.
 constexpr FeaturePair vertex_and(FeatureKind kind, std::size_t side, std::size_t vertex, std::size_t other) noexcept {
     return side == 0 ? pair_of(kind, 0, vertex, other) : pair_of(kind, 1, other, vertex);
 }

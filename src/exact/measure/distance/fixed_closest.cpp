@@ -17,8 +17,8 @@ SegmentRef segment_of(const PosedFeature& feature) noexcept {
     return {feature.pose, feature.corners[0], feature.corners[feature.count == 1 ? 0 : 1]};
 }
 
-// Returns two segments whose closest points give those of the features: for vertices and edges, the features; for a
-// vertex and a face, see exact/point/segment_ends.hpp.
+// Returns two segments whose closest points determine the closest points of the features: for vertices and edges, the
+// features themselves; for a vertex and a face, see exact/point/segment_ends.hpp.
 SegmentEnds ends_of(const std::array<PosedFeature, 2>& features, int high) noexcept {
     for (const std::size_t side : {0, 1}) {
         if (features[side].count != 3) continue;

@@ -16,7 +16,8 @@
 
 namespace ecods::exact {
 
-// Refers to a feature of a posed body by its vertices: one for a vertex, two for an edge, three of a face.
+// A PosedFeature refers to a feature of a posed body by its vertices: one for a vertex, two for an edge, three of a
+// face.
 struct PosedFeature {
     const Pose* pose;
     std::array<const Vec3*, 3> corners;
@@ -25,8 +26,8 @@ struct PosedFeature {
 
 class FixedClosest {
   public:
-    // A Foot says where the foot of a vertex is: in the face, which is known, or in the triangle of the face's three
-    // corners, which of_features() must show.
+    // A Foot is what is known of the foot of a vertex: `in_face` if it is known to be in the face; `in_triangle` if
+    // of_features() must prove that it is in the triangle of the face's three corners.
     enum class Foot : std::uint8_t { in_triangle, in_face };
 
     // Names the features that contain the closest points.
@@ -35,10 +36,10 @@ class FixedClosest {
         Feature a, b;
     };
 
-    // Returns nullopt unless fixed precision shows that exactly one pair of points of the features is closest, in the
-    // interiors of both. The features are two vertices, two edges, or a vertex and any feature. If the foot is known to
-    // be in a face, it must also be in the parallelogram of the first corner and the two others. Sets the kind of the
-    // names.
+    // Returns the closest points of the features; nullopt unless fixed precision proves that exactly one pair of points
+    // is closest, in the interiors of both features. The features are two vertices, two edges, or a vertex and any
+    // feature. If the foot is known to be in a face, it must also be in the parallelogram of the first corner and the
+    // two others. Sets the kind in the result's names.
     static std::optional<FixedClosest> of_features(const std::array<PosedFeature, 2>& features, const Radii& radii,
                                                    Names names, Foot foot = Foot::in_triangle) noexcept;
 
@@ -50,8 +51,8 @@ class FixedClosest {
                  const Names& names) noexcept
         : at_(at), w_(w), unit_(unit), radii_(radii), names_(names) {}
 
-    // The next functions return nullopt if a rounding is not certain. The distance is that of the features less both
-    // radii, also if it is negative.
+    // Returns the distance of the features minus both radii, rounded once, also if it is negative. This function and
+    // the next ones return nullopt if a rounding is not certain.
     std::optional<double> signed_distance() const noexcept;
     std::optional<ClosestPoints> signed_closest() const noexcept;
     // Returns adjacent doubles around the distance of the rounded bodies, or the distance twice if it is a double.
@@ -61,7 +62,7 @@ class FixedClosest {
     // Returns the middle of the two closest points, unless they are inverted().
     std::optional<Vec3> middle() const noexcept;
 
-    // Returns true if no other points of the features are as close.
+    // Returns true if the features have no other pair of closest points.
     bool is_only() const noexcept { return at_.is_only; }
     const Names& names() const noexcept { return names_; }
 

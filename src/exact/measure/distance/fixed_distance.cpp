@@ -7,7 +7,8 @@
 
 namespace ecods::exact {
 
-// In the Minkowski difference, a vertex and a face, or two edges, span a plane; a vertex and an edge span a line.
+// Returns the distance of a point from a plane, a line or a point, in the Minkowski difference: there a vertex and a
+// face, or two edges, span a plane; a vertex and an edge span a line.
 std::optional<double> fixed_distance(const IntegerPair& pair, const FeaturePair& features) noexcept {
     const auto corner = [&](std::size_t side, std::size_t i) -> const IntegerVector& {
         return pair.at[3 * side + (features.corner(side) + i) % 3];

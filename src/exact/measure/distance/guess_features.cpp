@@ -52,8 +52,8 @@ class FeatureGuess {
     }
 
   private:
-    // Finds the closest points of edges i and j, and keeps their features in best_ if no nearer pair was found before.
-    // Returns true if these points are very probably the closest points of the triangles.
+    // Computes the closest points of edges i and j, and stores their features in best_ if no nearer pair was found
+    // before. Returns true if these points are very probably the closest points of the triangles.
     ECODS_ALWAYS_INLINE bool try_edges(Index i, Index j) noexcept {
         const Point &u = edge_[0][i], &v = edge_[1][j];
         const double uu = square_[0][i], vv = square_[1][j];
@@ -78,10 +78,10 @@ class FeatureGuess {
         return third_a <= 0 && third_b >= 0;
     }
 
-    // Returns true if the plane of the face of triangle `side` separates the triangles, and the other's corner nearest
-    // to the plane is over the face; sets best_ to this pair. If the nearest corner is not over the face, sets first_
-    // to the edges to begin with: the face's edge beyond which the foot is, and the edge that begins at the nearest
-    // corner.
+    // Returns true if the plane of the face of triangle `side` separates the triangles, and the other triangle's corner
+    // nearest to the plane is over the face; then sets best_ to that corner and the face. If the nearest corner is not
+    // over the face, sets first_ to the edges to begin with: the face's edge beyond which the corner's foot is, and the
+    // edge that begins at the nearest corner.
     ECODS_ALWAYS_INLINE bool try_face(Index side) noexcept {
         const Point *face = &x_[3 * side], *corners = &x_[3 * (1 - side)];
         const Point &e1 = edge_[side][0], e2 = minus(face[2], face[0]), n = cross(e1, e2);

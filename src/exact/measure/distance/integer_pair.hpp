@@ -9,8 +9,8 @@
 
 namespace ecods::exact {
 
-// Holds the three corners of the first triangle and then of the second, in units of 2^unit. Each coordinate of the
-// difference of two corners is off by less than `error` units (by 0 if `error` is 0).
+// An IntegerPair holds the three corners of the first triangle and then of the second, in units of 2^unit. Each
+// coordinate of the difference of two corners is off by less than `error` units (by 0 if `error` is 0).
 struct IntegerPair {
     std::array<IntegerFrame::Point, 6> at;
     int unit;

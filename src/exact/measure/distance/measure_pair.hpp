@@ -1,4 +1,4 @@
-// Finds the features that contain the closest points of two triangles, whose corners are integer points.
+// find_closest() finds features that contain the closest points of two triangles, whose corners are integer points.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +38,8 @@ auto to_limbs(const IntegerPoints<Kernel, N>& points) noexcept {
     return result;
 }
 
-// Holds a pair of features that contain closest points, and the pair's standing. The standing is `none` if the
-// triangles share a point and the guess does not show it.
+// ClosestFeatures holds a pair of features that contain closest points, and the pair's standing. The standing is `none`
+// if the triangles share a point that is not in both features of the guess.
 struct ClosestFeatures {
     FeaturePair features;
     Standing standing = Standing::none;

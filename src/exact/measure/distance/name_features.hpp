@@ -16,7 +16,7 @@ inline Feature feature_of(const FeaturePair& f, std::size_t side, std::uint32_t 
     return {static_cast<Feature::Kind>(f.corner_count(side) - 1), triangle, static_cast<std::uint32_t>(f.corner(side))};
 }
 
-// Sets the members kind, a and b of `names` to the features f. `pair` has the triangles' indices in their meshes.
+// Sets names.kind, names.a and names.b to the features f. `pair` has the triangles' indices in their meshes.
 template <class Names>
 void name_features(Names& names, const FeaturePair& f, const TrianglePair& pair) noexcept {
     names.kind = static_cast<ClosestKind>(f.kind);

@@ -1,9 +1,9 @@
 // PolygonOrder sorts the corners of a convex polygon by their order around the polygon.
 //
-// Sort the corners lexicographically. The first and the last one are then the ends of a diagonal. The other corners are
-// on the two sides of the diagonal, and on each side they are already in the order in which they follow each other. The
-// side of a corner is the sign of an orientation, in homogeneous coordinates, in a plane of two coordinates. The plane
-// is chosen such that the polygon's projection has an area.
+// The corners are first sorted lexicographically. The first and the last corner are then the ends of a diagonal. The
+// other corners are on the two sides of the diagonal, and on each side they are already in the order in which they
+// follow each other. The side of a corner is the sign of an orientation, in homogeneous coordinates, in a plane of two
+// coordinates. The plane is chosen such that the polygon's projection has an area.
 //
 // Widths. Numerators are below 2^(5k + 4) and denominators below 2^(4k + 4) (closest_points.hpp), so the determinant, a
 // sum of six products of two numerators and a denominator, is below 2^(14k + 15), and has a sign.
@@ -25,7 +25,7 @@ class PolygonOrder {
   public:
     using Corner = typename SharedCorners<L>::Corner;
 
-    // `normal` is a normal of the polygon's plane; it must not be zero.
+    // Chooses the plane of projection from `normal`, a normal of the polygon's plane, which must not be zero.
     explicit PolygonOrder(const LimbVector<2 * L>& normal) noexcept {
         std::size_t axis = 0;
         while (is_zero<2 * L>(normal[axis].limbs)) ++axis;
@@ -34,14 +34,14 @@ class PolygonOrder {
         y_ = (axis + 2) % 3;
     }
 
-    // Sorts at least three corners, which must be in lexicographic order. The first one stays the first; the others
+    // Sorts at least three corners, which must be in lexicographic order. The first corner stays the first; the others
     // follow counterclockwise, as seen from the side to which the normal points.
     void sort(std::vector<Corner>& corners) const {
         const Corner first = corners.front(), last = corners.back();
         const auto upper = std::stable_partition(corners.begin() + 1, corners.end() - 1, [&](const Corner& corner) {
             return turn_ * orientation(first, last, corner) < 0;
         });
-        // The result is the first corner, the lower side, the last corner, and the upper side in reverse order.
+        // The sorted list has the first corner, the lower side, the last corner, and the upper side in reverse order.
         std::reverse(upper, corners.end());
     }
 

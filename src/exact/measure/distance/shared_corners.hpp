@@ -1,11 +1,11 @@
 // SharedCorners computes the corners of the intersection of two triangles, in integers.
 //
 // The intersection is convex and has at most six corners. Each of these corners is in the relative interior of one
-// feature (vertex, edge or face) of each triangle, and these two features have no other common point. So it is a vertex
-// that is in the other triangle, a point where an edge goes through the other's face, or a crossing of two edges. If
-// both triangles have an area, all points of these three kinds are corners of the intersection, since their features
-// have only one common point. If the intersection is a segment, a vertex of a triangle without area may lie between its
-// ends.
+// feature (vertex, edge or face) of each triangle, and these two features have no other common point. So each corner is
+// a vertex that is in the other triangle, a point where an edge goes through the other's face, or a crossing of two
+// edges. If both triangles have an area, all points of these three kinds are corners of the intersection, since the two
+// features of each point have only one common point. If the intersection is a segment, a vertex of a triangle without
+// area may lie between its ends.
 #pragma once
 
 #include <algorithm>
@@ -47,9 +47,9 @@ class SharedCorners {
     const std::vector<Corner>& corners() const noexcept { return corners_; }
 
     // Returns a common normal of the two features of lowest dimension that contain the relative interior of the
-    // intersection, if they define one. A face and a feature in its plane define the face's normal (the first
-    // triangle's if both are faces). Two edges that are not parallel define their cross product. Otherwise, or if the
-    // triangles share no point, returns nullopt.
+    // intersection, if the features define a normal. A face and a feature in its plane define the face's normal (the
+    // first triangle's if both are faces). Two edges that are not parallel define their cross product. Otherwise, or if
+    // the triangles share no point, returns nullopt.
     std::optional<LimbVector<2 * L>> normal() const;
 
   private:
@@ -99,8 +99,8 @@ void SharedCorners<L>::add_piercing(std::size_t side, std::size_t edge) {
     const Magnitude<3 * L> fall = negated<3 * L>(rise);
     const int begin = sign<3 * L>(h0), end = begin * sign<3 * L>(minus<3 * L>(h0, fall));
     if (begin == 0 || end >= 0) return;
-    // Tests on which sides of the edge's line the edges of the face pass. The line misses the face if there are both
-    // signs.
+    // Computes the signs of the sides of the edge's line on which the edges of the face pass. The line misses the face
+    // if both signs occur.
     int least = 1, most = -1;
     for (std::size_t i = 0; i < 3; ++i) {
         Vector x = features_.position(face, i), y = features_.position(face, i + 1);
@@ -166,8 +166,9 @@ auto SharedCorners<L>::normal_at_point() const -> std::optional<LimbVector<2 * L
     return std::nullopt;  // an edge that goes through a face
 }
 
-// Returns true if a corner is inside the other's face, and its own triangle has points strictly on both sides of the
-// face. If the triangles share only this corner, it is the middle one of a triangle without area.
+// Returns true if a corner of one triangle is inside the other's face, and the corner's triangle has points strictly on
+// both sides of the face. If the triangles share only this corner, the corner is the middle one of a triangle without
+// area.
 template <int L>
 bool SharedCorners<L>::goes_through(const FeaturePair& f) const {
     const std::size_t side = f.vertex_side, corner = f.corner(side);

@@ -56,20 +56,22 @@
 
 namespace ecods::exact {
 
-// These constants are X^2, X^3, and the factor that covers the second order of a bound (see "Certain signs").
+// square_of_size, cube_of_size and second_order are X^2, X^3, and the factor that covers the second order of a bound
+// (see "Certain signs").
 inline constexpr double square_of_size = 0x1p106;
 inline constexpr double cube_of_size = 0x1p159;
 inline constexpr double second_order = 1 + 0x1p-20;
 
 struct TriangleVectors {
-    // Holds feet at s / den along the first vector and t / den along the second, with den >= 0. are_inside is true if
-    // it is certain that they are inside both features.
+    // Feet holds the feet at s / den along the first vector and t / den along the second, with den >= 0. `are_inside`
+    // is true if the feet are certainly inside both features.
     struct Feet {
         double s, t, den;
         bool are_inside;
     };
 
-    // p and q are the corners that name the features in f. For a face, its blunt_corner() is taken.
+    // Computes the vectors for the corners p and q that name the features in f; for a face, p or q is its
+    // blunt_corner().
     TriangleVectors(const IntegerPair& pair, const FeaturePair& f) noexcept {
         std::size_t p = f.a, q = f.b;
         if (f.kind == FeatureKind::vertex_face) (f.vertex_side == 0 ? q : p) = blunt_corner(pair, 1 - f.vertex_side);

@@ -1,4 +1,4 @@
-// LineTriangle computes in exact integers which points a line (a segment or ray) shares with a triangle.
+// LineTriangle computes in exact integers the points that a line (a segment or ray) shares with a triangle.
 //
 // All points are relative to the beginning of the line, so the line's points are s d, 0 <= s <= end. With corners p, q
 // and r, and n = (q - p) x (r - p), the line crosses the triangle's plane at s = n . p / n . d, and
@@ -8,8 +8,8 @@
 // triangle are in one plane. Then the line's part in the triangle is spanned by its parts in the edges; this also holds
 // for triangles of zero area.
 //
-// Widths. With coordinates below 2^k all of these are determinants of three differences, below 2^(3k + 6). Parameters
-// are fractions of such determinants, or of shorter numbers.
+// Widths. With coordinates below 2^k, n . p, n . d and the three determinants are determinants of three differences,
+// below 2^(3k + 6). Parameters are fractions of such determinants, or of shorter numbers.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace ecods::exact {
 
-// Describes the common points of line and triangle: the line's points at parameters from `enter` to `leave`.
+// A LineHit describes the common points of line and triangle: the line's points at parameters from `enter` to `leave`.
 struct LineHit {
     Fraction enter;
     Fraction leave;
@@ -259,7 +259,7 @@ class LineTriangle {
         part = {false, s, s};
     }
 
-    // Does the work of find() for a line that is a single point, the origin.
+    // Returns the result of find() for a line that is a single point, the origin, and sets `hit`.
     bool find_point(LineHit& hit) const noexcept {
         const LimbVector<2 * L> n = normal();
         if (sign<3 * L>(dot<2 * L, L>(n, corner_[0])) != 0) return false;

@@ -17,7 +17,7 @@ constexpr int normal_bits = 126;  // number of leading bits of n that are kept
 static_assert(difference_bits(coordinate_bits) <= 127 && minor_bits(coordinate_bits) <= 255);
 static_assert(normal_bits + coordinate_bits + 2 <= 255, "a sum of three products fits 256 bits with its sign");
 
-// A sum must have at least this many digits more than its error bound.
+// digits_min is the least number of digits that a sum must have more than its error bound.
 constexpr int digits_min = 70;
 
 int width_of(const IntegerVector& p) noexcept {
@@ -31,7 +31,7 @@ int width_of(const Int256& x) noexcept {
     return high != 0 ? 128 + bit_width(high) : bit_width(low);
 }
 
-// Holds n / 2^shift, rounded down to normal_bits leading digits.
+// A Normal holds n / 2^shift, rounded down to normal_bits leading digits.
 struct Normal {
     IntegerVector n;
     int shift;
@@ -44,8 +44,8 @@ Normal normal_of(const std::array<IntegerVector, 3>& corners) noexcept {
     return {shifted(n, shift), shift};
 }
 
-// Holds the leading digits of a sum, rounded towards zero: the sum is about digits 2^exponent. digits is 0 if the sum
-// is zero, or so short that its error is too large.
+// A LeadingDot holds the leading digits of a sum, rounded towards zero: the sum is about digits 2^exponent. digits is 0
+// if the sum is zero, or so short that its error is too large.
 struct LeadingDot {
     Uint128 digits = 0;
     int exponent = 0;
@@ -65,7 +65,7 @@ LeadingDot leading_of_dot(const Normal& normal, const IntegerVector& p, int coun
     return {static_cast<Uint128>(shifted(sum, exponent)), exponent, is_negative};
 }
 
-// Holds an interval of positive numbers, from digits 2^exponent to (digits + width) 2^exponent.
+// A Between is an interval of positive numbers, from digits 2^exponent to (digits + width) 2^exponent.
 struct Between {
     Uint128 digits;
     Uint128 width;
@@ -95,7 +95,8 @@ bool round_between(const Between& x, double& rounded) noexcept {
     return true;
 }
 
-// Does the same for the interval from low 2^exponent to high 2^exponent, of numbers of either sign.
+// Sets `rounded` and returns true if all numbers from low 2^exponent to high 2^exponent, of either sign, round to the
+// same double. Otherwise returns false.
 bool round_between(Int128 low, Int128 high, int exponent, double& rounded) noexcept {
     const auto width = static_cast<Uint128>(high) - static_cast<Uint128>(low);
     if (low > 0) return round_between({static_cast<Uint128>(low), width, exponent}, rounded);
@@ -105,7 +106,7 @@ bool round_between(Int128 low, Int128 high, int exponent, double& rounded) noexc
 }
 
 // Sets `rounded` to x + s d 2^unit, rounded once, for all s in the interval from digits 2^exponent to (digits + width)
-// 2^exponent. Returns false if these do not all round to one double.
+// 2^exponent. Returns false if the values do not all round to one double.
 //
 // Let m be the 63 leading digits of |d|: |d| is between m and m + 1 units. So the product is between digits m and
 // digits m + width (m + 1) + digits. Product and x are then converted to a common unit, in which the longer of them has
@@ -142,11 +143,11 @@ bool round_coordinate(double x, Int128 d, int unit, std::uint64_t digits, std::u
 
 }  // namespace
 
-// Error bound. If n was cut, n . p and n . d have relative errors of at most 2^-69: leading_of_dot() returns only sums
-// of at least 2^(digits_min - 1) times their error bounds. The quotient q of 127 digits of n . p by 64 digits of n . d
-// has 63 or 64 digits. Its divisor is too small by a relative error below 2^-63, which makes q too large by less than
-// 2; rounding down makes q too small by less than 1. The errors of both sums, and the dropped digits of the dividend,
-// change q by less than 2^-4. So the true quotient is between q - 3 and q + 2.
+// The quotient's error is bounded as follows. If n was cut, n . p and n . d have relative errors of at most 2^-69:
+// leading_of_dot() returns only sums of at least 2^(digits_min - 1) times their error bounds. The quotient q of 127
+// digits of n . p by 64 digits of n . d has 63 or 64 digits. Its divisor is too small by a relative error below 2^-63,
+// which makes q too large by less than 2; rounding down makes q too small by less than 1. The errors of both sums, and
+// the dropped digits of the dividend, change q by less than 2^-4. So the true quotient is between q - 3 and q + 2.
 // Claim: verify/proofs/fixed_digits.py
 bool round_crossing(const LineInUnits& line, const std::array<IntegerVector, 3>& corners,
                     RoundedCrossing& result) noexcept {

@@ -5,8 +5,8 @@
 
 namespace ecods::exact {
 
-// Compares first with the doubles around the sum. If these do not decide, compares N 4^f with Q m^2 4^e, where the
-// square is N / Q 4^f and the sum m 2^e.
+// Returns the sign of distance - sum. The distance is first compared with the doubles around the sum. If the doubles do
+// not decide, N 4^f is compared with Q m^2 4^e, where the square of the distance is N / Q 4^f and the sum is m 2^e.
 int compare(const SquaredDistance& square, const ExactSum& sum) {
     if (sum.is_double()) return compare(square, sum.lower());
     if (compare(square, sum.lower()) <= 0) return -1;

@@ -1,5 +1,5 @@
-// Exact distances are compared with exact sums, and their differences rounded once. The distance of two rounded bodies
-// is the distance of their cores minus the sum of their radii.
+// The functions of this file compare exact distances with exact sums, and round the differences once. The distance of
+// two rounded bodies is the distance of their cores minus the sum of their radii.
 #pragma once
 
 #include "exact/measure/round/squared_distance.hpp"

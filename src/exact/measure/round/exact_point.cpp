@@ -9,8 +9,8 @@
 
 namespace ecods::exact {
 
-// Returns coordinate `row` of R v + t + num / den 2^unit, rounded once. It is computed as a sum of products with den,
-// divided by den.
+// Returns coordinate `row` of R v + t + num / den 2^unit, rounded once. The coordinate is computed as a sum of products
+// with den, divided by den.
 double round_coordinate(const PointRef& origin, int row, const ExactPoint& point) noexcept {
     const ExactPoint::Coordinate& num = point.num[static_cast<std::size_t>(row)];
     const NaturalSpan den = point.den.limbs();

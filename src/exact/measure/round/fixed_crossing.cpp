@@ -1,8 +1,8 @@
-// Derivation. s = (d x v) / (u x v), both products of two coordinates. With errors b of d and e of u and v, and D, U, V
-// upper bounds of coordinates, d x v is off by 2 (b (V + e) + D e), and u x v by 2 e (U + V + e). Both are shifted such
-// that the divisor has 126 digits; a shift to the right costs each number, and each bound, less than a unit. With N and
-// M, which are off by n and m, and s <= 1 + 2^-40, N / M is off by less than (n + m) (1 + 2^-38) / 2^125 if m is below
-// 2^80: that is less than (n + m) 2^-124.
+// The parameter s of a crossing is (d x v) / (u x v), where both products are of two coordinates. With errors b of d
+// and e of u and v, and D, U, V upper bounds of coordinates, d x v is off by 2 (b (V + e) + D e), and u x v by 2 e (U +
+// V + e). Both are shifted such that the divisor has 126 digits; a shift to the right costs each number, and each
+// bound, less than a unit. With N and M, which are off by n and m, and s <= 1 + 2^-40, N / M is off by less than (n +
+// m) (1 + 2^-38) / 2^125 if m is below 2^80: that is less than (n + m) 2^-124.
 //
 // The quotient is 60 digits q from doubles, and a correction. q is off by 2^-50: four roundings of 2^-52 at most, and
 // digits of N and M below 2^64, which are 2^-60 of M. The rest N - q M is exact, and at most 2^-49 M. Its upper digits,
@@ -36,7 +36,8 @@ Int256 twice(const Int256& x) noexcept {
     return x + x;
 }
 
-// Returns x 2^-shift; nullopt if that has more than 126 digits, or is off by 2^80.
+// Returns x 2^-shift with its error bound; nullopt if the result has more than 126 digits, or the bound is 2^80 or
+// more.
 std::optional<Factor> scaled(const Int256& x, const Int256& error, int shift) noexcept {
     if (bit_width(size_of(x)) - shift > divisor_digits) return std::nullopt;
     if (sign(error) == 0) return Factor{shifted(x, shift), shift > 0 ? Uint128{1} : 0};

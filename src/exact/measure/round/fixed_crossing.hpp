@@ -1,4 +1,5 @@
-// Finds in fixed precision where an edge crosses another one, in a plane of two coordinates.
+// find_crossing() computes in fixed precision the parameter at which an edge crosses another one, in a plane of two
+// coordinates.
 #pragma once
 
 #include <array>

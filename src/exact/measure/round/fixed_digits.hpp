@@ -1,4 +1,4 @@
-// FixedDigits is a number with 128 digits and an error bound. This file also has operations on integers of 256 bits.
+// A FixedDigits is a number with 128 digits and an error bound. This file also has operations on integers of 256 bits.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,14 @@
 
 namespace ecods::exact {
 
-// Represents the interval (digits +- error) 2^exponent. digits is 0, or its highest bit is set.
+// A FixedDigits is the interval (digits +- error) 2^exponent. `digits` is 0, or its highest bit is set.
 struct FixedDigits {
     Uint128 digits = 0;
     int exponent = 0;
     Uint128 error = 0;
 
-    // Returns the double nearest to all numbers in the interval; nullopt if they do not all round to the same double.
+    // Returns the double nearest to all numbers in the interval; nullopt if the numbers do not all round to the same
+    // double.
     std::optional<double> rounded() const noexcept {
         if (error >> 96 != 0) return std::nullopt;
         const double low = round_digits({digits - error - 1, exponent, false});

@@ -60,7 +60,7 @@ void FixedPlane::find_normal() noexcept {
     if (!is_exact_) {
         // The edges u and v are off by 10 units, so their cross product is off by 2 (10 |u| + 10 |v| + 100).
         const Int256 error = exact::multiply(static_cast<Int128>(largest(u) + largest(v) + 10), 20);
-        // If edges are short, the error may be almost as large as the normal: then nothing is known of the normal.
+        // If edges are short, the error may be almost as large as the normal: then the normal's direction is unknown.
         is_open_ = bit_width(error) - shift > 96;
         if (is_open_) return;
         error_ = static_cast<Uint128>(shifted(error, shift)) + 2;

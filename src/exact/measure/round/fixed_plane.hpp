@@ -21,12 +21,12 @@ class FixedPlane {
   public:
     using Vector = exact::IntegerVector;
 
-    // `m` has three vertices of the Minkowski difference, counterclockwise as seen from outside. Their coordinates are
-    // integers times 2^unit.
+    // Computes the plane through the vertices `m` of the Minkowski difference, counterclockwise as seen from outside.
+    // The coordinates of `m` are integers times 2^unit.
     FixedPlane(const std::array<Vector, 3>& m, int unit, bool is_exact) noexcept;
 
-    // Returns the sign of the dot product of the normal and v, which is a difference of two points. Call only if
-    // is_exact.
+    // Returns the sign of the dot product of the normal and v, which is a difference of two points. Call this function
+    // only if is_exact.
     int sign_along(const Vector& v) const noexcept;
 
     // Returns the sign of the distance, which is negative if the origin is on the plane's outer side; nullopt if the
@@ -34,13 +34,14 @@ class FixedPlane {
     std::optional<int> side() const noexcept;
 
     // Returns the distance, rounded, and at least 2^-1074 if it is positive; nullopt if its rounding is not certain.
-    // Call only if side() is certain.
+    // Call this function only if side() is certain.
     std::optional<double> distance() const noexcept;
     // Returns the unit normal, each coordinate rounded once; nullopt if a rounding is not certain.
     std::optional<Vec3> direction() const noexcept;
 
-    // Compares the distances from the origin: returns 1, 0 or -1 if this plane's is greater, equal or less than the
-    // other's; nullopt if this is not certain. The origin must be on the inner side of both planes, and in neither.
+    // Returns 1, 0 or -1 if this plane's distance from the origin is greater than, equal to or less than the other
+    // plane's; nullopt if the order is not certain. The origin must be on the inner side of both planes, and in
+    // neither.
     std::optional<int> compare(const FixedPlane& other) const noexcept;
 
   private:

@@ -1,8 +1,9 @@
-// Derivation. Let n be a coordinate of a direction, |n| <= 2^126, off by less than a < 2^63, and x a number that is off
-// by less than b, both in their units. The product is off by |n| b 2^-126 <= b; |x| a 2^-126, of which the code has the
-// part above 2^62 of |x|, cut, less than 2 units too little; a b 2^-126 < b 2^-63, less than b 2^-62 cut and 1; and by
-// less than 1 for its own cut. The directions of a FixedVector may be greater than 1, by less than a. So b counts once
-// more, and 5 units cover all cuts. An exact n is 0 or 1 or -1, and its product is exact.
+// The errors of products with directions are bounded as follows. Let n be a coordinate of a direction, |n| <= 2^126,
+// off by less than a < 2^63, and x a number that is off by less than b, both in their units. The product is off by |n|
+// b 2^-126 <= b; |x| a 2^-126, of which the code has the part above 2^62 of |x|, cut, less than 2 units too little; a b
+// 2^-126 < b 2^-63, less than b 2^-62 cut and 1; and by less than 1 for its own cut. The directions of a FixedVector
+// may be greater than 1, by less than a. So b counts once more, and 5 units cover all cuts. An exact n is 0 or 1 or -1,
+// and its product is exact.
 //
 // The coordinates of a normal u x v are differences of two products. Each is off by U e + V e + e^2, where U and V are
 // upper bounds of coordinates. Cut to 120 digits, they lose less than a unit, and so does the bound of their errors.
@@ -24,7 +25,7 @@ bool is_zero(const FixedNumber& x) noexcept {
     return x.value == 0 && x.error == 0;
 }
 
-// Returns the leading digits of the cross product of two differences of points.
+// Returns the leading digits of u x v, for differences u and v of points; nullopt if the product may be zero.
 std::optional<FixedVector> normal_of(const IntegerVector& u, const IntegerVector& v, std::uint64_t error) noexcept {
     constexpr int digits = 120;
     const WideVector n = cross(u, v);
@@ -52,7 +53,7 @@ FixedNumber times(const FixedNumber& n, const FixedNumber& x) noexcept {
     return {value, x.error + 2 * (x.error >> 62) + of_n + 5};
 }
 
-// Sets the unit vector; returns false if its error bound is too large.
+// Sets direction_ to the unit vector of `along`; returns false if `along` is nullopt or an error bound is too large.
 bool FixedShift::set_direction(const std::optional<FixedVector>& along) noexcept {
     if (!along) return false;
     bool is_known = true;
@@ -63,7 +64,7 @@ bool FixedShift::set_direction(const std::optional<FixedVector>& along) noexcept
     return is_known;
 }
 
-// Returns the product of the unit vector and w.
+// Returns the dot product of the unit vector direction_ and w.
 FixedNumber FixedShift::product(const IntegerVector& w, std::uint64_t error) const noexcept {
     FixedNumber sum;
     for (std::size_t k = 0; k < 3; ++k) sum = sum + times(direction_[k], {w[k], error});
@@ -79,7 +80,8 @@ std::optional<FixedShift> FixedShift::of_vector(const IntegerVector& w, std::uin
     return result;
 }
 
-// The part of w along the line is (d . w) d, for the unit vector d along u. |w| is below 2^123, and so is the rest.
+// Returns w - (d . w) d, the part of w across the line, where d is the unit vector along u. |w| is below 2^123, and so
+// is the length of the result.
 std::optional<FixedShift> FixedShift::across_line(const IntegerVector& u, const IntegerVector& w,
                                                   std::uint64_t error) noexcept {
     FixedShift result;

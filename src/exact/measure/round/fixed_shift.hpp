@@ -1,5 +1,6 @@
 // A FixedShift is the shortest vector from one flat feature to another, parallel one, in fixed precision: from a point
-// to a point or a line, or between two parallel planes. It also has its unit vector and its length.
+// to a point or a line, or between two parallel planes. A FixedShift also has the unit vector along itself and its
+// length.
 #pragma once
 
 #include <array>
@@ -18,26 +19,26 @@ FixedNumber times(const FixedNumber& n, const FixedNumber& x) noexcept;
 class FixedShift {
   public:
     // The coordinates of u, v and w are differences of points, below 2^122, and each is off by at most `error` units,
-    // below 2^20. Each function returns nullopt if fixed precision says too little of the direction.
+    // below 2^20. Each function returns nullopt if the error of the direction is too large.
 
-    // Makes the vector w between two points.
+    // Returns the shift w between two points.
     static std::optional<FixedShift> of_vector(const IntegerVector& w, std::uint64_t error) noexcept;
-    // Makes the part of w that is across a line along u.
+    // Returns the part of w that is perpendicular to a line along u.
     static std::optional<FixedShift> across_line(const IntegerVector& u, const IntegerVector& w,
                                                  std::uint64_t error) noexcept;
-    // Makes the part of w that is across a plane along u and v.
+    // Returns the part of w that is perpendicular to a plane along u and v.
     static std::optional<FixedShift> across_plane(const IntegerVector& u, const IntegerVector& v,
                                                   const IntegerVector& w, std::uint64_t error) noexcept;
 
     // Returns coordinate k of the vector, in the unit of points.
     const FixedNumber& operator[](std::size_t k) const noexcept { return shift_[k]; }
-    // Returns coordinate k of a unit vector along it, in units of 2^-FixedVector::unit_digits. Between planes, it is
-    // that of the cross product of u and v.
+    // Returns coordinate k of a unit vector along the shift, in units of 2^-FixedVector::unit_digits. Between planes,
+    // the unit vector has the direction of the cross product of u and v.
     const FixedNumber& direction(std::size_t k) const noexcept { return direction_[k]; }
-    // Returns the product of the vector and the unit vector; it may be negative between planes.
+    // Returns the dot product of the shift and the unit vector, which may be negative between planes.
     const FixedNumber& length() const noexcept { return length_; }
 
-    // Turns the unit vector around, and changes the sign of the length.
+    // Negates the unit vector and the length.
     void turn() noexcept;
     // Makes the vector zero, exactly; the unit vector stays.
     void vanish() noexcept;

@@ -1,5 +1,5 @@
-// Derivation. x is w scaled by 2^up, so that its largest coordinate has 126 digits: 2^125 <= |x| < 2^127. Each of its
-// coordinates is off by at most e = `error_`, so x is off by at most sqrt(3) e.
+// Errors are bounded as follows. x is the vector w scaled by 2^up, so that its largest coordinate has 126 digits: 2^125
+// <= |x| < 2^127. Each of its coordinates is off by at most e = `error_`, so x is off by at most sqrt(3) e.
 //
 // Length. inverse_root() is off by 2^-94 of itself, and dropping the last 127 digits of |x|^2 by 2^-123, so that |x| is
 // off by less than 2^-93 of itself, and by sqrt(3) e. Cutting the result loses one unit.
@@ -79,8 +79,8 @@ std::optional<FixedVector> FixedVector::of(const IntegerVector& w, const ErrorBo
     return result;
 }
 
-// Counts the error of |w|, sqrt(3) times the largest error of a coordinate, as 2 times that error. width() + d <= 124
-// and the limit of errors in of() leave 2 error 2^d below 2^86.
+// Returns |w| 2^d. The error of |w|, sqrt(3) times the largest error of a coordinate, is bounded by 2 times that error.
+// width() + d <= 124 and the limit of errors in of() leave 2 error 2^d below 2^86.
 FixedNumber FixedVector::length(int d) const noexcept {
     const Uint128 doubled = 2 * largest_error();
     const Uint128 of_errors = d >= 0 ? doubled << d : (doubled >> std::min(-d, 127)) + (doubled != 0 ? 1 : 0);
@@ -114,8 +114,8 @@ FixedRadius::FixedRadius(double r, int unit) noexcept : whole_(fixed_number(r, u
     shift_ = FixedVector::unit_digits - (radius.e - up - unit);
 }
 
-// Multiplies m_ by n in two parts. r < 2^(unit + 120) and m_ >= 2^61 leave shift_ >= 68. A direction without error is
-// along an axis.
+// Returns r n, from the product of m_ and n in two parts. r < 2^(unit + 120) and m_ >= 2^61 leave shift_ >= 68. A
+// direction without error is along an axis.
 FixedNumber FixedRadius::times(const FixedNumber& n) const noexcept {
     if (m_ == 0 || (n.value == 0 && n.error == 0)) return {};
     if (n.error == 0) return {n.value < 0 ? -whole_.value : whole_.value, whole_.error};

@@ -1,5 +1,5 @@
 // A FixedVector is a vector between two points in fixed precision. It has the length and the unit vector as numbers
-// with error bounds, from which the answers about rounded points and segments are rounded.
+// with error bounds, from which the distances and closest points of rounded points and segments are rounded.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace ecods::exact {
 
-// Represents the interval value +- error, in units that the context names.
+// A FixedNumber is the interval value +- error, in units that its user defines.
 struct FixedNumber {
     Int128 value = 0;
     Uint128 error = 0;
@@ -27,7 +27,7 @@ struct FixedNumber {
     }
 
     // Returns the double nearest to all numbers of the interval, in units of 2^unit; a zero is +0. Returns nullopt if
-    // they do not all round to one double, or only some of them are zero.
+    // the numbers do not all round to one double, or only some of them are zero.
     std::optional<double> rounded(int unit) const noexcept;
 };
 
@@ -39,8 +39,8 @@ using ErrorBounds = std::array<std::uint64_t, 3>;
 
 class FixedVector {
   public:
-    // The coordinates of w are integers below 2^123, in any unit. Returns nullopt if w may be zero, or is so short that
-    // little is known of its direction.
+    // Returns w as a FixedVector; nullopt if w may be zero, or is so short that the error of its direction is too
+    // large. The coordinates of w are integers below 2^123, in any unit.
     static std::optional<FixedVector> of(const IntegerVector& w, const ErrorBounds& errors) noexcept;
 
     // Returns an exponent such that |w| < 2^width().

@@ -73,8 +73,8 @@ Fraction fraction_of(double x) noexcept {
     return result;
 }
 
-// Compares two fractions by the cross products of numerators and denominators: numbers of 3k + 6 bits give products of
-// 6k + 12 bits. Usually the numbers' bit widths suffice.
+// Returns the sign of first - second, from the cross products of numerators and denominators: numbers of 3k + 6 bits
+// give products of 6k + 12 bits. Usually the numbers' bit widths suffice.
 int compare(const FractionRef& first, const FractionRef& second) noexcept {
     if (first.num.empty() || second.num.empty()) {
         return static_cast<int>(!first.num.empty()) - static_cast<int>(!second.num.empty());

@@ -16,13 +16,13 @@ namespace ecods::exact {
 inline constexpr std::size_t fraction_limbs = 3 * limb_count_max;
 static_assert(determinant_bits(LimbKernel<limb_count_max>::coordinate_bits) <= static_cast<int>(64 * fraction_limbs));
 
-// Refers to the two parts of a fraction num / den, den > 0.
+// A FractionRef refers to the two parts of a fraction num / den, den > 0.
 struct FractionRef {
     NaturalSpan num;
     NaturalSpan den;
 };
 
-// Holds a fraction num / den, den > 0.
+// A Fraction holds num / den, den > 0.
 struct Fraction {
     Natural<fraction_limbs> num;
     Natural<fraction_limbs> den{1};
@@ -30,7 +30,7 @@ struct Fraction {
     FractionRef ref() const noexcept { return {num.limbs(), den.limbs()}; }
 };
 
-// Holds a fraction num / den of either sign. den may be negative, but not zero.
+// A Ratio is a fraction num / den of either sign. den may be negative, but not zero.
 template <int L>
 struct Ratio {
     Magnitude<L> num, den;
@@ -42,8 +42,8 @@ struct Ratio {
     FractionRef size() const noexcept { return {without_leading_zeros(num.limbs), without_leading_zeros(den.limbs)}; }
 };
 
-// Converts x exactly. x must be finite and not negative. The denominator of 2^-1074 has 17 limbs; no numerator has more
-// than 16.
+// Returns x as a fraction, exactly. x must be finite and not negative. The denominator of 2^-1074 has 17 limbs; no
+// numerator has more than 16.
 Fraction fraction_of(double x) noexcept;
 
 // Return the sign of first - second, or of first - x. x must be >= 0, and may be infinity.
@@ -60,8 +60,8 @@ int compare(const Ratio<L>& x, const Ratio<L>& y) noexcept {
 // largest double. The floating-point environment has no effect.
 double round_fraction(const FractionRef& x) noexcept;
 
-// Holds a parameter num / den of a line, and the point there: a + (b - a) num / den, or a + b num / den if
-// `is_direction`. Each number is rounded once to the nearest double, ties to even. A zero is +0, and a positive
+// A RoundedOnLine holds a parameter num / den of a line, and the point there: a + (b - a) num / den, or a + b num / den
+// if `is_direction`. Each number is rounded once to the nearest double, ties to even. A zero is +0, and a positive
 // parameter is rounded to at least 2^-1074.
 struct RoundedOnLine {
     double parameter = 0;

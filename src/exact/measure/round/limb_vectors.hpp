@@ -82,7 +82,7 @@ bool is_parallel(const LimbVector<L>& a, const LimbVector<L>& b) noexcept {
     return is_zero_vector<2 * L>(cross<L>(a, b));
 }
 
-// Returns the cross product of u and the first axis that is not parallel to it; if u is zero, the x axis.
+// Returns the cross product of u and the first axis that is not parallel to u; if u is zero, the x axis.
 template <int L>
 LimbVector<2 * L> across(const LimbVector<L>& u) noexcept {
     LimbVector<2 * L> x_axis{};

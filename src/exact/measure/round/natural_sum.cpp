@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t sum_limbs = 5 * limb_count_max + 2;
 static_assert(fraction_limbs + (1074 + 1024 + 8) / 64 + 2 <= sum_limbs);
 
-// Holds a sum of products, in two's complement.
+// A NaturalSum holds a sum of products, in two's complement.
 class NaturalSum {
   public:
     // Makes an empty sum. At most 64 terms may be added, each a multiple of 2^low and below 2^high in magnitude.
@@ -39,7 +39,7 @@ class NaturalSum {
         }
     }
 
-    // Returns the sum divided by `den`, rounded once. Call only once: the sum is overwritten.
+    // Returns the sum divided by `den`, rounded once. Call this function only once, because it overwrites the sum.
     double over(NaturalSpan den) noexcept {
         const bool is_negative = (limbs_[size_ - 1] >> 63) != 0;
         if (is_negative) {

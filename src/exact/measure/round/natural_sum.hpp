@@ -8,7 +8,7 @@
 
 namespace ecods::exact {
 
-// Holds the term a b 2^e, or -a b 2^e if is_negative.
+// A Summand is the term a b 2^e, or -a b 2^e if is_negative.
 struct Summand {
     NaturalSpan a, b;
     int e = 0;

@@ -1,5 +1,5 @@
-// Roots and quotients of integers are rounded to the nearest double. Integer division gives the leading digits, rounded
-// down, and one bit says if the rest is zero.
+// Roots and quotients of integers are rounded to the nearest double. Integer division computes the leading digits,
+// rounded down, and one bit that is set if the rest is zero.
 //
 // The digits and this bit together determine the rounding to fewer digits, also at ties and powers of two. For a root,
 // floor(sqrt(x)) = floor(sqrt(floor(x))), so its digits follow from the digits of its square.
@@ -13,14 +13,15 @@
 namespace ecods::exact {
 namespace {
 
-// Represents the number (digits + rest) 2^exponent, 0 <= rest < 1. is_exact is true if the rest is 0.
+// A Truncated is the number (digits + rest) 2^exponent, 0 <= rest < 1. is_exact is true if the rest is 0.
 struct Truncated {
     std::uint64_t digits;
     int exponent;
     bool is_exact;
 };
 
-// Holds whole = floor(num * 2^shift / den), which must be below 2^128. is_exact is true if nothing was rounded.
+// A Quotient holds whole = floor(num * 2^shift / den), which must be below 2^128. is_exact is true if the quotient is
+// an integer.
 struct Quotient {
     Uint128 whole;
     bool is_exact;
@@ -55,8 +56,8 @@ void subtract_product(std::uint64_t* dividend, NaturalSpan divisor, std::uint64_
     }
 }
 
-// Sets to[i] to limb first + i of a * 2^shift, for all i; shift >= 0. Has the same result as limb_of_shifted() for each
-// i.
+// Sets to[i] to limb first + i of a * 2^shift, for all i; shift >= 0. The limbs are those that limb_of_shifted()
+// returns.
 void set_shifted(std::span<std::uint64_t> to, NaturalSpan a, int shift, std::size_t first) noexcept {
     const int bits = shift % 64;
     // A negative position wraps around to a number that is greater than all positions.
@@ -112,8 +113,8 @@ Quotient divide(NaturalSpan num, int shift, NaturalSpan den) noexcept {
     return {whole, is_exact};
 }
 
-// Returns floor(sqrt(x)), for 2^116 <= x < 2^126. The floating-point root is a first guess, with a relative error of
-// 2^-50 in any rounding mode. A Newton step squares that error, and steps of one correct the rest.
+// Returns the integer part of sqrt(x), for 2^116 <= x < 2^126. The floating-point root is a first guess, with a
+// relative error of 2^-50 in any rounding mode. A Newton step squares that error, and steps of one correct the rest.
 std::uint64_t floor_of_root(Uint128 x) noexcept {
     const double guess = std::sqrt(static_cast<double>(static_cast<std::int64_t>(x >> 64))) * 0x1p32;
     auto m = static_cast<std::uint64_t>(guess);

@@ -30,14 +30,14 @@ namespace {
 
 constexpr Uint128 error_of_digits = Uint128{1} << 35;
 
-// Approximates a positive number by digits 2^exponent, with a small relative error. Zero has no digits; other numbers
-// have at least 2^125.
+// An Approximate is a positive number or zero as digits 2^exponent, with a small relative error. `digits` is 0 for
+// zero, otherwise at least 2^125.
 struct Approximate {
     Uint128 digits = 0;
     int exponent = 0;
 };
 
-// Refers to an integer without some of its low limbs.
+// A Cut refers to an integer without some of its low limbs.
 struct Cut {
     NaturalSpan limbs;
     int exponent;  // of the unit of `limbs`
@@ -63,8 +63,8 @@ Approximate quotient(const Approximate& num, const Approximate& den) noexcept {
     return quotient(without_leading_zeros(n), without_leading_zeros(d), num.exponent - den.exponent);
 }
 
-// Let s = digits 2^shift have 252 or 253 bits, with an even exponent left. Then sqrt(s) 2^125 = (s / 2^127) (2^252 /
-// sqrt(s)).
+// Returns the square root of `square`. Let s = digits 2^shift have 252 or 253 bits, with an even exponent left. Then
+// sqrt(s) 2^125 = (s / 2^127) (2^252 / sqrt(s)).
 Approximate root(const Approximate& square) noexcept {
     if (square.digits == 0) return {};
     int shift = 252 - bit_width(square.digits);
@@ -82,7 +82,7 @@ Approximate operator+(const Approximate& x, const Approximate& y) noexcept {
     return {(x.digits >> 1) + (y.digits >> shift), x.exponent + 1};
 }
 
-// Holds the sign of a sum, and its absolute value as an approximation.
+// A Sized holds the sign of a sum, and the sum's absolute value as an approximation.
 struct Sized {
     int sign = 0;
     Approximate size;

@@ -9,7 +9,7 @@ namespace ecods::exact {
 // floating-point environment has no effect.
 double round_root_sum(const RootSum& sum);
 
-// Returns the same, but at least 2^-1074 in magnitude unless the sum is 0.
+// Returns the double nearest to the sum, but at least 2^-1074 in magnitude unless the sum is 0.
 double round_signed(const RootSum& sum);
 
 // Returns round_signed(), or 0 if the sum is not positive.

@@ -13,14 +13,14 @@
 
 namespace ecods::exact {
 
-// Holds the radii of two bodies, which are finite and not negative.
+// Radii holds the radii of two bodies, which are finite and not negative.
 struct Radii {
     double a = 0, b = 0;
 
     ExactSum sum() const { return ExactSum(a).plus(b); }
 };
 
-// Holds an integer vector and its squared length.
+// A LongDirection holds an integer vector and its squared length.
 struct LongDirection {
     LongVector x;
     Integer square;
@@ -39,7 +39,7 @@ struct LongDirection {
 };
 
 // Returns point + radius n / |n| in world coordinates, each rounded once to the nearest double, ties to even; a zero is
-// +0. The point is relative to `origin`. n must not be zero.
+// +0. `point` is relative to `origin`. n must not be zero.
 Vec3 round_end(const PointRef& origin, const ExactPoint& point, const ScaledInteger& radius, const LongDirection& n);
 
 }  // namespace ecods::exact

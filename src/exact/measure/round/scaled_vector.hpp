@@ -19,8 +19,8 @@
 
 namespace ecods::exact {
 
-// Represents x 2^shift. If shift > 0, each coordinate is rounded down, by less than one unit of x; otherwise it is
-// exact. The largest coordinate has 53 digits or is -2^53, or shift is 0.
+// A ScaledVector is x 2^shift. If shift > 0, each coordinate is rounded down, by less than one unit of x; otherwise x
+// is exact. The largest coordinate has 53 digits or is -2^53, or shift is 0.
 struct ScaledVector {
     Point x;
     int shift;
@@ -32,8 +32,8 @@ ECODS_ALWAYS_INLINE IntegerVector difference(const IntegerVector& to, const Inte
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-// Returns a number that has as many binary digits as the coordinate of largest magnitude; one digit less if that is
-// -2^k.
+// Returns a number that has as many binary digits as the coordinate of largest magnitude; one digit less if that
+// coordinate is -2^k.
 ECODS_ALWAYS_INLINE Uint128 digits_of(const IntegerVector& v) noexcept {
     return static_cast<Uint128>((v[0] ^ (v[0] >> 127)) | (v[1] ^ (v[1] >> 127)) | (v[2] ^ (v[2] >> 127)));
 }
@@ -49,8 +49,8 @@ ECODS_ALWAYS_INLINE Point shifted(const IntegerVector& v, int shift) noexcept {
             static_cast<double>(static_cast<std::int64_t>(v[2] >> shift))};
 }
 
-// Scales v such that its largest coordinate has 53 digits. A vector with fewer digits is scaled up only if it is exact;
-// an inexact one would gain no information, and gets shift 0.
+// Returns v, scaled such that its largest coordinate has 53 digits. A vector with fewer digits is scaled up only if it
+// is exact; an inexact one would gain no information, and gets shift 0.
 ECODS_ALWAYS_INLINE ScaledVector scaled(const IntegerVector& v, bool is_exact) noexcept {
     const int shift = bit_width(digits_of(v)) - 53;
     if (shift >= 0) [[likely]]

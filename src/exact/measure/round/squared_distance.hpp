@@ -1,4 +1,5 @@
-// A SquaredDistance is the exact square of a distance, as a fraction of integers. It can be rounded and compared.
+// A SquaredDistance is the exact square of a distance, as a fraction of integers. The functions of this file round and
+// compare such distances.
 #pragma once
 
 #include <bit>
@@ -22,7 +23,8 @@ struct SquaredDistance {
     int exponent = 0;
 };
 
-// Returns the double with these bits, or its negative; a zero is +0. The sign of `bits` must not be set.
+// Returns the double with the bits `bits`, or its negative if `negative`; a zero is +0. The sign bit of `bits` must not
+// be set.
 inline double with_sign(std::uint64_t bits, bool negative) noexcept {
     return std::bit_cast<double>(negative && bits != 0 ? bits | std::uint64_t{1} << 63 : bits);
 }
@@ -31,15 +33,16 @@ inline double with_sign(std::uint64_t bits, bool negative) noexcept {
 // and infinity if it is above the largest double. The floating-point environment has no effect.
 double round_root(const SquaredDistance& square) noexcept;
 
-// Rounds the root of num / den * 4^exponent likewise. den must be positive, and have at most divisor_limbs limbs.
+// Returns the root of num / den * 4^exponent, rounded as by the function above. den must be positive, and have at most
+// divisor_limbs limbs.
 double round_root(NaturalSpan num, NaturalSpan den, int exponent) noexcept;
 
 // Returns the double nearest to num / den * 2^exponent, or to its negative if `negative`; a zero is +0. den must be >
 // 0.
 double round_quotient(NaturalSpan num, NaturalSpan den, int exponent, bool negative) noexcept;
 
-// Holds the 127 or 128 leading digits of num / den = (digits + rest) 2^exponent, 0 <= rest < 1. digits is 0 if num is
-// 0.
+// LeadingDigits holds the 127 or 128 leading digits of num / den = (digits + rest) 2^exponent, 0 <= rest < 1. digits is
+// 0 if num is 0.
 struct LeadingDigits {
     Uint128 digits = 0;
     int exponent = 0;
