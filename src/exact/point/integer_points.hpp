@@ -26,8 +26,8 @@ struct IntegerPoints {
 // share this code. Only the code that uses the points is compiled for each kind of query and each kernel.
 class WidePoints {
   public:
-    // `terms` has an element for each point, and `limbs` has 3 limb_count_max elements for each point. Both are
-    // overwritten, and must outlive this object.
+    // Computes the points. `terms` must have an element for each point, and `limbs` 3 limb_count_max elements for each
+    // point. Both are overwritten, and must outlive this object.
     WidePoints(std::span<const PointRef> points, std::span<PoseTerms> terms, std::span<std::uint64_t> limbs) noexcept;
 
     // All coordinates are below 2^width() in magnitude, in units of 2^unit(). The unit is as large as possible: zero

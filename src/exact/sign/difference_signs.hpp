@@ -53,7 +53,8 @@ inline constexpr double minor_error = 3 * two_u;
 template <std::size_t N>
 class DifferenceSigns {
   public:
-    // `scale` is a power of two: coordinates times scale are integers below 2^52. The points must outlive this object.
+    // Provides signs for `points`. `scale` is a power of two such that coordinates times scale are integers below 2^52.
+    // The points must outlive this object.
     DifferenceSigns(const Points<N>& points, double scale) noexcept : points_(points), scale_(scale) {}
 
     // Returns the three signs of sides(), computed without branches, because a processor cannot predict which points

@@ -81,8 +81,8 @@ double cores::distance(const Core& a, const Core& b, const exact::ExactSum& marg
     });
 }
 
-// Returns true if the real distance is at most max_distance. An infinite max_distance is recognized by its key, which
-// no mode of the processor changes.
+// Returns true if the real distance is at most max_distance. Infinity is recognized by its key (base/double_key.hpp),
+// without a comparison of doubles.
 bool within(const Posed<MeshShape>& a, const Posed<MeshShape>& b, double max_distance, const Ask& ask) {
     require_distance(max_distance);
     if (key_of(max_distance) == infinity_key) return true;

@@ -1,4 +1,4 @@
-// Finds the parts of a line inside a solid, with the exact parameters of their ends.
+// exact_parts() finds the parts of a line inside a solid, with the exact parameters where the parts begin.
 #pragma once
 
 #include <vector>

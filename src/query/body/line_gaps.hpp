@@ -57,7 +57,7 @@ class LineGaps {
     static bool is_point(const Line& line) noexcept;
 
   private:
-    // `first` is the side on which the shifted line begins; empty for a body without inner points.
+    // Sets gaps_. `first` is the side on which the shifted line begins; empty for a body without inner points.
     void find_gaps(std::optional<Side> first);
 
     std::vector<ExactHit> hits_;

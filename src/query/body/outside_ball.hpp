@@ -22,7 +22,7 @@ struct RoundedVertex {
 // all of it is outside. In a cloud of many pieces, most vertices are in the ball around an earlier one.
 class OutsideBall {
   public:
-    // `boundary` must outlive this object.
+    // Makes a ball that contains no vertex yet. `boundary` must outlive this object.
     OutsideBall(const Posed<MeshShape>& boundary, QueryMemory& memory) : boundary_(boundary), memory_(memory) {}
 
     // Returns true if the vertex is certainly in the ball.

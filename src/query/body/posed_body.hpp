@@ -31,7 +31,8 @@ inline Posed<MeshShape> boundary_of(const Posed<MeshShape>& posed) {
 // outlive it.
 class PosedBody {
   public:
-    // With Meaning::surface, a solid counts as its surface, with all triangles of its mesh.
+    // A Meaning selects the set of a shape: for Meaning::surface, a solid counts as its surface, with all triangles of
+    // its mesh.
     enum class Meaning : std::uint8_t { set, surface };
     explicit PosedBody(const Posed<MeshShape>& posed, Meaning meaning = Meaning::set);
 

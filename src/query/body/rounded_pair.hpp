@@ -1,4 +1,4 @@
-// Represents the two bodies of a question, which may be rounded, as cores and radii.
+// Defines RoundedPair: two bodies, which may be rounded, as cores and radii.
 #pragma once
 
 #include <optional>

@@ -16,8 +16,8 @@
 
 namespace ecods {
 
-// Holds the interval of times, from 0 on, at which two triangles are within p, and the features with closest points at
-// both ends.
+// NearTimes holds the interval of times, from 0 on, at which two triangles are within p, and the features with closest
+// points at both ends of the interval.
 struct NearTimes {
     exact::RoundedContact::Interval interval;
     FeatureNames first, last;
@@ -25,8 +25,8 @@ struct NearTimes {
 
 class RoundedWay {
   public:
-    // `motion` is exact, and not zero; p must be positive. Everything that the arguments refer to must outlive this
-    // object.
+    // Takes boundary a, which is translated by `motion`, and boundary b at rest. `motion` is exact, and not zero; p
+    // must be positive. Everything that the arguments refer to must outlive this object.
     RoundedWay(const Posed<MeshShape>& a, const exact::ScaledLongVector& motion, const Posed<MeshShape>& b,
                const exact::ExactSum& p)
         : a_(a), motion_(motion), b_(b), p_(p) {}

@@ -20,7 +20,8 @@ namespace ecods {
 
 class ContactAxis {
   public:
-    // `corners` are the corners of the triangles to which axis.formula refers. All arguments must outlive this object.
+    // Computes the planes of the two triangles to which axis.formula refers, and whose corners are `corners`. All
+    // arguments must outlive this object.
     ContactAxis(const ProofAxis& axis, const SixCorners& corners, const ExactPoints& points,
                 const std::array<BodyFrame, 2>& bodies);
 

@@ -25,9 +25,10 @@ struct Parameter {
 
 class ExactPoints {
   public:
-    // Represents the vertices of two bodies. Everything that the arguments refer to must outlive this object.
+    // Chooses the unit for the vertices of two bodies. Everything that the arguments refer to must outlive this object.
     ExactPoints(const exact::BodyRef& a, const exact::BodyRef& b) noexcept;
-    // Represents the vertices of a body, and the points of the segment whose parameters are multiples of 2^finest.e.
+    // Chooses the unit for the vertices of a body, and for the points of the segment whose parameters are multiples of
+    // 2^finest.e.
     ExactPoints(const exact::BodyRef& a, const Segment& segment, const Parameter& finest) noexcept;
 
     exact::LongVector vertex(std::size_t body, std::uint32_t index) const {

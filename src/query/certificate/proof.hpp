@@ -28,9 +28,9 @@ struct Proof {
     static constexpr Word no_axis = 0xffff;
 
     std::vector<ProofAxis> axes;
-    // Holds the steps, one after the other. An opening has these words: its kind, the number of axes, the axes, the
-    // number of pairs left open, the open pairs. A pair of triangles has these words: the step's kind, the formula's
-    // kind, and the formula's i and j.
+    // Holds the steps of the proof, one after the other. An opening has these words: its kind, the number of axes, the
+    // axes, the number of pairs left open, the open pairs. A pair of triangles has these words: the step's kind, the
+    // formula's kind, and the formula's i and j.
     std::vector<Word> words;
     std::size_t step_count = 0;
     std::size_t opening = 0;  // index of the last opening's first word

@@ -72,8 +72,8 @@ struct HullFeatures {
 
 struct ClosestHulls {
     HullFeatures found;
-    // Holds, by side, the hull's feature that is extreme towards the other solid; it contains the closest points. An
-    // empty entry stands for the feature of `found`, whose index has not been looked up.
+    // Holds, for each side, the hull's feature that is extreme towards the other solid and contains the closest points.
+    // An empty entry stands for the feature of `found`, whose index has not been looked up.
     std::array<std::optional<HullFeature>, 2> parts;
     // `are_only` is true if the features of `found` are these `parts`, and contain the only two closest points, in
     // their interiors.
@@ -89,8 +89,8 @@ std::optional<ClosestHulls> prove_closest(PosedHulls& hulls, const Simplex& gues
 // Returns true if rounded points prove that the origin is inside the simplex. The solids then share a point.
 bool prove_meeting(const PosedHulls& hulls, const Simplex& guess) noexcept;
 
-// Finds and proves the closest features exactly. Begins at `guess`, which may be any simplex of at least one pair.
-// Returns nullopt if the solids share a point.
+// Returns the closest features, found and proven in exact arithmetic. The search begins at `guess`, which may be any
+// simplex of at least one pair. Returns nullopt if the solids share a point.
 std::optional<ClosestHulls> find_closest_exactly(PosedHulls& hulls, const Simplex& guess);
 
 // Returns the probable closest features of two triangles of vertices, computed in doubles without a proof.
@@ -132,7 +132,7 @@ struct LeastDifference {
     Vec3 normal;         // rounded unit vector: from the first solid to the second; for a depth, out of the first
     bool is_depth;       // true if the difference is against the normal, or zero
     bool is_zero;        // true if the depth is 0
-    // `are_only` is true if `parts` have only one of these pairs, in their interiors.
+    // `are_only` is true if `parts` have only one pair of points at the least difference, in the interiors of both.
     bool are_only = false;
 };
 LeastDifference least_of_closest(PosedHulls& hulls, const ClosestHulls& closest);

@@ -1,4 +1,4 @@
-// Decides whether a solid is convex.
+// require_convex() decides whether a solid is convex, and throws NotSolid if it is not.
 #pragma once
 
 #include <cstdint>

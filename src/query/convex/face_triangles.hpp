@@ -1,4 +1,4 @@
-// Lists the triangles of a convex solid's mesh by the faces of its hull.
+// FaceTriangles lists, for each face of a convex solid's hull, the triangles of the solid's mesh in that face.
 #pragma once
 
 #include <cstdint>

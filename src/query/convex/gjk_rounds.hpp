@@ -32,8 +32,8 @@ using exact::times;
 // does not improve any more.
 inline constexpr int rounds_max = 200;
 
-// Holds the simplex's point v that is nearest to the origin, its squared distance, and the vertices of which v is a
-// combination.
+// Nearest holds the simplex's point v that is nearest to the origin, its squared distance, and the vertices of which v
+// is a combination.
 struct Nearest {
     Point v{};
     double square = std::numeric_limits<double>::infinity();

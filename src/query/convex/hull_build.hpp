@@ -18,7 +18,8 @@ namespace ecods::convex {
 struct Border {
     const ProperMesh* proper;
     const MeshEdges* edges;
-    // Says, by triangle, if its corners turn right, seen from outside. It is empty if no triangle's corners do.
+    // Has an entry for each triangle: true if its corners turn right, seen from outside. The list is empty if no
+    // triangle's corners turn right.
     std::span<const std::uint8_t> faces_in;
 
     // `named` is the mesh in which features are named. By triangle of `proper`, `origins` holds the triangle of `named`
@@ -53,7 +54,7 @@ Hull build_hull(const Border& border, std::span<const std::uint8_t> is_flat);
 // Builds the hull of a mesh that covers a flat convex set. Cost: n log n.
 Hull build_flat_hull(const ProperMesh& proper, const FlatMesh& flat);
 
-// Lists the neighbors of each vertex in the hull, from its edges. All other members must be set.
+// Sets hull.neighbors to the neighbors of each vertex, from the hull's edges. All other members must be set.
 void add_neighbors(Hull& hull);
 
 }  // namespace ecods::convex

@@ -1,4 +1,4 @@
-// Finds the convex hull of points, as triangles.
+// triangulate_hull() computes the convex hull of points, as triangles.
 #pragma once
 
 #include <span>

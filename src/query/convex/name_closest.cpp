@@ -77,7 +77,7 @@ class Naming {
         way_ = way;
     }
 
-    // Lists all pairs of features at the least distance.
+    // Sets `pairs` to all pairs of features at the least distance.
     void list(LeastPairs& pairs) {
         pairs.clear();
         pairs_ = &pairs;
@@ -91,7 +91,7 @@ class Naming {
         ECODS_ASSERT(!pairs.empty());
     }
 
-    // Finds the first pair: tries the kinds of pairs in the order of the rule, until one has a pair.
+    // Returns the first pair of features: tries the kinds of pairs in the order of the rule, until a pair is found.
     Parts find() {
         try_vertices();
         if (has_best_) return best_;

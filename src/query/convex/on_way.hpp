@@ -1,4 +1,4 @@
-// Decides which features of two hulls have a pair of points that differ by a known vector.
+// are_on_way() decides whether two features, one of each hull, have a pair of points that differ by a known vector.
 #pragma once
 
 #include <cstddef>

@@ -28,9 +28,9 @@ namespace ecods::convex {
 
 class PlanarFeatures {
   public:
-    // `normal` is a unit vector perpendicular to both features, each coordinate rounded once, and w is `along` times
-    // this vector, in the unit of rounded points. `along` is off by at most 2^-51 of its magnitude. If it is infinite,
-    // w is unknown, and all answers are open.
+    // Projects the features `parts` along `normal`, a unit vector perpendicular to both features, each coordinate
+    // rounded once, and w is `along` times this vector, in the unit of rounded points. `along` is off by at most 2^-51
+    // of its magnitude. If it is infinite, w is unknown, and all answers are open.
     PlanarFeatures(const PosedHulls& hulls, const std::array<HullFeature, 2>& parts, const Vec3& normal, double along);
 
     std::size_t vertex_count(std::size_t side) const noexcept { return of_[side].at.size(); }
@@ -91,8 +91,8 @@ class PlanarFeatures {
 
   private:
     static constexpr std::size_t short_size = 32;
-    // These bits say on which sides of the other polygon's edges a vertex is; on_line is set if one side is not
-    // certain.
+    // on_left and on_right are bits for the sides of the other polygon's edges on which a vertex is; on_line is set if
+    // one side is not certain.
     static constexpr std::uint8_t on_line = 1, on_left = 2, on_right = 4, on_both = on_left | on_right;
 
     // A Projected holds the vertices of a polygon, counterclockwise or clockwise, with the edges that begin at them.

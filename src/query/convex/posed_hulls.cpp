@@ -178,12 +178,13 @@ std::uint32_t PosedHulls::support(std::size_t side, const Point& direction) cons
     return climb(body, along, body.points->extremes[2 * axis + (along[axis] > 0)]);
 }
 
-// Derivation of the margin. Let u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where `sum`
-// bounds the magnitudes added up for any coordinate of a point. Let |n|_1 be the sum of the magnitudes of n. A height
-// has six roundings, and is off by at most 6.1 u' sum |n|_1. Two heights, and the rounding of the number with which
-// they are compared, are off by less than 13.4 u' sum |n|_1 < 3.2 D |n|_1. The error of n changes the difference of two
-// heights by 3 error size(side). The factor 3.6 also covers the roundings of the margin, and underflow. Underflow loses
-// less than 2^-900, whereas D must be at least 2^-200, so that the margin is 2^-600 or more.
+// Returns the heights of the vertices along n, with the margin derived here. Let u' = two_u and D = delta(), which is
+// at least 4.25 u' sum (find_bounds), where `sum` bounds the magnitudes added up for any coordinate of a point. Let
+// |n|_1 be the sum of the magnitudes of n. A height has six roundings, and is off by at most 6.1 u' sum |n|_1. Two
+// heights, and the rounding of the number with which they are compared, are off by less than 13.4 u' sum |n|_1 < 3.2 D
+// |n|_1. The error of n changes the difference of two heights by 3 error size(side). The factor 3.6 also covers the
+// roundings of the margin, and underflow. Underflow loses less than 2^-900, whereas D must be at least 2^-200, so that
+// the margin is 2^-600 or more.
 // Claim: verify/proofs/difference_signs.py
 // Claim: verify/proofs/hull_signs.py
 auto PosedHulls::heights(std::size_t side, const Point& n, double error) const noexcept -> Heights {

@@ -130,7 +130,8 @@ struct Comparison {
         const double length = std::sqrt(dot(z, z));
         return (length * (1 + 8 * two_u) + root_of_three * error) * (1 + 8 * two_u) < sum * (1 - 8 * two_u);
     }
-    // `gap` is min n.q - max n.p, as computed, and `square` is |n|^2.
+    // Returns true if the distance is certainly above the sum. `gap` is min n.q - max n.p, as computed, and `square` is
+    // |n|^2.
     ECODS_ALWAYS_INLINE bool is_above(double gap, const Point& n, double square) const noexcept {
         const double length = std::sqrt(square);
         const double certain = gap - error * sum_of_magnitudes(n) * (1 + 8 * two_u);

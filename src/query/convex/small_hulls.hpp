@@ -68,7 +68,8 @@ class SmallHull {
     std::array<double, 3 * vertices_max> groups_;
 };
 
-// Holds a feature of each of two small hulls by its vertices: one for a vertex, two for an edge, three for a face.
+// SmallFeatures holds a feature of each of two small hulls by its vertices: one for a vertex, two for an edge, three
+// for a face.
 struct SmallFeatures {
     std::array<std::array<std::uint32_t, 3>, 2> corners{};
     std::array<std::size_t, 2> count{};

@@ -1,4 +1,5 @@
-// Answers questions about two convex solids. All functions throw SingularPose.
+// Declares the functions for two convex solids: distance, closest points and comparisons of the distance with a limit.
+// All functions throw SingularPose.
 #pragma once
 
 #include <cstddef>

@@ -25,8 +25,8 @@ struct SupportPoints {
     exact::Point reach{};   // by axis: upper bound of the magnitudes of coordinates
     exact::Point extent{};  // by axis: upper bound of the differences of coordinates
     exact::Point center{};  // center of the vertices' box, rounded
-    // Lists, by axis, the vertices that are extreme against it and along it. A climb without a start begins at one of
-    // them.
+    // Lists, by axis, the two vertices that are extreme against and along the axis. A climb without a start begins at
+    // one of these vertices.
     std::array<std::uint32_t, 6> extremes{};
     // Stands in hull_index for a vertex of the mesh that is no vertex of the hull. hull_index has, by vertex of the
     // mesh, the index in the hull.

@@ -1,4 +1,4 @@
-// Finds the border of the region that a set of removed triangles leaves in a surface.
+// add_edges() collects the border edges of the region that a set of removed triangles leaves in a surface.
 #pragma once
 
 #include <array>

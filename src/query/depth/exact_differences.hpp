@@ -1,4 +1,5 @@
-// Represents the vertices of two posed convex solids, and their differences, as integers of L limbs in one common unit.
+// ExactDifferences computes the vertices of two posed convex solids, and differences of these vertices, as integers of
+// L limbs in one common unit.
 //
 // Widths. Products and translations are below 2^high and multiples of 2^unit. A point, relative to the first solid's
 // translation, is a sum of three products and two translations. The difference of two points is below 2^(high + 4). The

@@ -1,4 +1,5 @@
-// Decides whether the Minkowski difference of two flat convex solids lies in a plane, in integers of L limbs.
+// FlatDifference decides whether the Minkowski difference of two flat convex solids lies in a plane, in integers of L
+// limbs.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Finds a lower bound of the depth of two solids from balls inside the solids.
+// find_inner_balls() computes a lower bound of the depth of two solids from balls inside the solids.
 #pragma once
 
 #include <optional>

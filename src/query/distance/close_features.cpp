@@ -1,4 +1,4 @@
-// Finds pairs of close features from pairs of close triangles.
+// close_features() finds the pairs of features within a distance d from the pairs of triangles within d.
 //
 // The distance of two triangles is at most the distance of any two of their features. So if two features are within d,
 // every pair of triangles that has these features is within d, too, and is found. Hence the triangles found include all

@@ -75,8 +75,8 @@ class DistanceQuestion {
     QueryCounts* counts_ = nullptr;
     bool excludes_ = false;
     std::optional<TrianglePair> referred_;  // the pair with which pair_ compares others
-    // Holds the approximate direction, in floats, from a triangle of a to a triangle of b: the nearest two triangles so
-    // far. `direction_square_` is their squared distance on the axes of the first set.
+    // Holds the approximate direction, in floats, from a triangle of body a to a triangle of body b: the nearest two
+    // triangles so far. `direction_square_` is their squared distance on the axes of the first set.
     Direction direction_{};
     float direction_square_ = std::numeric_limits<float>::infinity();
     LeavesOnAxes leaves_{};

@@ -25,7 +25,7 @@ struct OnlyFeature {
 // leave few triangles; if floats cannot distinguish nodes, DistanceSearch is used instead.
 class PointSearch {
   public:
-    // `body` and `memory` must outlive the search.
+    // Prepares the search of the body's triangles. `body` and `memory` must outlive the search.
     PointSearch(const Posed<MeshShape>& body, QueryMemory& memory);
     PointSearch(const PointSearch&) = delete;
     PointSearch& operator=(const PointSearch&) = delete;

@@ -1,4 +1,4 @@
-// Answers exact queries about the distances of pairs of triangles of two posed meshes.
+// TriangleDistances computes distances and closest points of pairs of triangles of two posed meshes, exactly.
 #pragma once
 
 #include <array>

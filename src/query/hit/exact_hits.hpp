@@ -1,4 +1,4 @@
-// Finds all hits of a line with one body, with their exact parameters.
+// exact_hits() finds all hits of a line with one body, with the exact parameters of the hits.
 #pragma once
 
 #include <vector>

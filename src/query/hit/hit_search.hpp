@@ -1,4 +1,5 @@
-// Finds the hits of one line with any number of bodies. Hits are compared exactly, and are rounded only at the end.
+// FirstHit and AllHits find the hits of one line with any number of bodies. Hits are compared exactly, and are rounded
+// only at the end.
 //
 // Each body has a key. If hits of different bodies have the same real parameter, the lesser key comes first. A world
 // uses keys that are ordered like the ids of its bodies.
@@ -28,9 +29,9 @@ struct HitMemory;
 // FirstHit finds the least hit, in the order of the real parameters, then of keys, then of triangles.
 class FirstHit {
   public:
-    // `line` must be valid. The line and `memory` must outlive the search, and no other search may use `memory`
-    // meanwhile. Set `is_alone` only if ask() is called once and offer() never; then the parameter of the hit need not
-    // be computed exactly.
+    // Begins a search for the first hit of `line`, which must be valid. The line and `memory` must outlive the search,
+    // and no other search may use `memory` meanwhile. Set `is_alone` only if ask() is called once and offer() never;
+    // then the parameter of the hit need not be computed exactly.
     FirstHit(const Line& line, QueryMemory& memory, bool is_alone = false);
     FirstHit(const FirstHit&) = delete;
     FirstHit& operator=(const FirstHit&) = delete;

@@ -9,7 +9,7 @@ namespace ecods {
 
 class PairContacts {
   public:
-    // `frame` must be bound to two bodies and outlive this object.
+    // Computes contacts of the two bodies to which `frame` is bound. `frame` must outlive this object.
     PairContacts(exact::Frame& frame, StageCounts& counts);
 
     // Returns the contact of triangle a of the first body with triangle b of the second; b must have an area. The

@@ -1,4 +1,4 @@
-// Finds on which side of a posed solid's surface a point is, by a ray from the point.
+// RayQuery finds the side of a posed solid's surface on which a point is, by a ray from the point.
 #pragma once
 
 #include <array>
@@ -30,7 +30,8 @@ constexpr std::array<exact::VertexRef, 3 + sizeof...(Others)> corners_and(std::s
 // RayQuery casts rays against one body of a frame. The body's pose must be regular, except for flat_place_of().
 class RayQuery {
   public:
-    // `frame` must be bound, and `tree` must be the tree of the body's mesh. All arguments must outlive this object.
+    // Prepares rays against body number `body` of `frame`, which must be bound. `tree` must be the tree of the body's
+    // mesh. All arguments must outlive this object.
     RayQuery(exact::Frame& frame, std::size_t body, const MeshTree& tree, std::vector<TreeRef>& stack,
              QueryCounts& counts);
 

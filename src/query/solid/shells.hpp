@@ -20,8 +20,8 @@ struct Shells {
     std::vector<std::uint8_t> faces_in;      // by triangle: true if its corners turn right, seen from outside the solid
 };
 
-// Finds the shells of a mesh that bounds a solid. Any two of the mesh's sides must be the same edge or share at most a
-// point. `tree` must be the mesh's tree. Cost: some passes over the triangles, and one ray for each shell.
+// Returns the shells of a mesh that bounds a solid. Any two of the mesh's sides must be the same edge or share at most
+// a point. `tree` must be the mesh's tree. Cost: some passes over the triangles, and one ray for each shell.
 Shells find_shells(const ProperMesh& proper, const MeshEdges& edges, const MeshTree& tree);
 
 // Returns the only shell of a surface for which prove_star() has found `faces_in`. Cost: one pass over the triangles.

@@ -1,4 +1,4 @@
-// Decides whether two posed meshes share a point. Some of their triangles may be left out.
+// surfaces_meet() decides whether two posed meshes share a point. Some triangles of each mesh may be left out.
 #pragma once
 
 #include "ecods/intersection.hpp"

@@ -32,7 +32,7 @@ struct ClosestOnSegments {
 };
 
 // Returns the closest points of two segments; nullopt if fixed precision does not decide which features are closest.
-// For segments that meet, the result is nullopt or may not be used.
+// The segments should not meet.
 std::optional<ClosestOnSegments> closest_on_segments(const SegmentEnds& ends) noexcept;
 
 }  // namespace ecods::exact

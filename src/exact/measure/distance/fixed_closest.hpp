@@ -30,7 +30,7 @@ class FixedClosest {
     // of_features() must prove that it is in the triangle of the face's three corners.
     enum class Foot : std::uint8_t { in_triangle, in_face };
 
-    // Names the features that contain the closest points.
+    // Names holds the kind and the names of the two features that contain the closest points.
     struct Names {
         ClosestKind kind = ClosestKind::vertex_vertex;
         Feature a, b;

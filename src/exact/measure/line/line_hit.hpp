@@ -46,7 +46,9 @@ class LineTriangle {
     using Vector = LimbVector<L>;
     using Corners = std::array<Vector, 3>;
 
-    // `end` is infinity or any number >= 0. The references d and corners must remain valid while the object is used.
+    // Takes the line's direction d, the triangle's corners relative to the line's beginning, and the parameter `end` of
+    // the line's last point: infinity or any number >= 0. The references d and corners must remain valid while the
+    // object is used.
     LineTriangle(const Vector& d, const Corners& corners, double end) noexcept : d_(d), corner_(corners), end_(end) {}
 
     // Returns true and sets `hit` if line and triangle share a point; otherwise returns false, and `hit` has no
