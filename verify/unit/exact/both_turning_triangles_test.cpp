@@ -114,7 +114,7 @@ TEST(BothTurningTriangles, KnownMeetings) {
     const auto third = meeting_of({5, 0, 0}, forth, {2, 4, 0}, glide);
     ASSERT_TRUE(third);
     EXPECT_EQ(third->time, 1 / 3.0);
-    // The same by a straight motion; and to where it does not come in time.
+    // A straight motion brings the other one there at the same time; with a nearer end, the motion comes too late.
     const auto beside = [&](const Vec3& b, const Vec3& end) {
         const Vec3 a(5, 0, 0);
         const Motion motion{{a, a, a, b, b, b}, {forth, {}}, {{end, end, end}}};

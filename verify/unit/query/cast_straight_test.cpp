@@ -192,7 +192,7 @@ TEST(CastStraight, MotionsInDisguise) {
     EXPECT_GT(met, 30);
 }
 
-// The same bits in every rounding mode and instruction set, from every witness, for answers that are asked again.
+// Answers have equal bits in every rounding mode and instruction set, and from every witness that an answer leaves.
 TEST(CastStraight, EnvironmentsAndWitnesses) {
     scenes::Random random(9);
     const MeshShape ball(scenes::sphere(12, 8)), ring(scenes::torus(16, 8, 0.4));

@@ -239,7 +239,7 @@ TEST(ContactPatch, OfAtMostSomeCorners) {
     const ContactPatch on_ground = contact_patch({cube(), at(0, 0, 1)}, {ground, Pose()}, {.max_corners = 3});
     EXPECT_EQ(on_ground.corners.size(), 3U);
     EXPECT_EQ(on_ground.corner_count, 4U);
-    // Of choices with equal areas the first, by places in the patch in the order of the bodies.
+    // All choices of three have equal areas; the first one is chosen, by places in the patch of the caller's order.
     const Posed<Shape> cube_on_it(cube(), at(0, 0, 1)), plane(ground, Pose());
     for (const auto& [first, second] : {std::pair{cube_on_it, plane}, std::pair{plane, cube_on_it}}) {
         const ContactPatch whole = contact_patch(first, second);

@@ -100,7 +100,7 @@ TEST(FieldCases, ADuctInAWall) {
     EXPECT_EQ(depth(Posed<MeshShape>(a), Posed<Rounded>(round_duct, Pose()))->depth, 0.125);
 }
 
-// Of a gable roof, x 0..8, its ridge at y = 2 and z = 4.
+// The roof is a gable roof from x = 0 to x = 8, with its ridge at y = 2 and z = 4.
 TEST(FieldCases, PartsOfSegmentsInARoof) {
     const ConvexSolid roof(Points{{0, 0, 0}, {8, 0, 0}, {0, 4, 0}, {8, 4, 0}, {0, 2, 4}, {8, 2, 4}});
     const auto parts = [&](const Vec3& from, const Vec3& to) {
@@ -137,7 +137,8 @@ TEST(FieldCases, BodiesWithoutAnArea) {
     EXPECT_EQ(cast(Posed<Rounded>(thick, Pose()), {4, 0, 0}, Posed<MeshShape>(second, Pose()))->time, 0.125);
 }
 
-// What lies on a floor touches it, and meets it at 0, whichever way it goes; solids enter it on one of the ways only.
+// A body that lies on a floor touches it, and meets it at time 0 by every motion; a solid enters the floor by one of
+// the motions only.
 TEST(FieldCases, WhatRestsOnAFloor) {
     const auto floor = solid_box({-9, -9, -1}, {9, 9, 0}), cube = solid_box({0, 0, 0}, {1, 1, 1});
     const auto ball = sphere(0.5, {0.5, 0.5, 0.5});

@@ -83,7 +83,8 @@ std::vector<Body> bodies_at(Place place, double gap) {
 
 namespace {
 
-// What questions about two kinds came to: answered, NotSupported or no such function, of bodies apart and of others.
+// Outcomes says how one question about two kinds ended (answered, NotSupported or no such function), for pairs that are
+// apart and for pairs that meet.
 struct Outcomes {
     void add(char outcome, bool is_apart) { (is_apart ? apart : meeting).insert(outcome); }
     char cell() const {

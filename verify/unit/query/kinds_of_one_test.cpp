@@ -71,7 +71,7 @@ TEST(Kinds, OfOneBody) {
     });
 }
 
-// What the rest of the header's table says of worlds: whose bodies a call asks, and whose it leaves out.
+// The test holds the rows of the header's table about worlds: which bodies a call asks, and which it leaves out.
 TEST(Kinds, BodiesThatAWorldAsks) {
     std::string containing, deep;
     for (const Body& body : bodies_at(Place::left, 0)) {

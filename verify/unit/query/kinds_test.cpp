@@ -29,7 +29,7 @@ auto asks(const Function& function, const Expect& expect) {
 }
 const auto anything = [](const Case&, const auto&, bool) {};
 
-// Of a number that is the distance; or that has its sign, for bodies that share points.
+// Expects a number to be the known distance; where none is known, not to be negative.
 void expect_number(const Case& c, double got) {
     if (c.is_known()) {
         EXPECT_EQ(got, c.distance());
