@@ -12,7 +12,7 @@ namespace ecods {
 void BothTurningPairs::bind(const Turning<MeshShape>& a, const Turning<MeshShape>& b, CastCounts& counts) {
     a_ = &a;
     b_ = &b;
-    counts_ = &counts;
+    bind_counts(counts);
     const exact::MeshExtent &extent_a = MeshShapeAccess::tree(*a.what).extent,
                             &extent_b = MeshShapeAccess::tree(*b.what).extent;
     const std::array<exact::BodyRef, 2> bodies{
@@ -25,7 +25,6 @@ void BothTurningPairs::bind(const Turning<MeshShape>& a, const Turning<MeshShape
         turns_[side] = round_leg(leg_of(a.pose, turn), extent_a, b.pose).turn_of_points(angles_[side]);
     }
     integers_.reset();
-    known_.clear();
 }
 
 std::array<exact::VertexRef, 6> BothTurningPairs::corners_of(const TrianglePair& triangles) const {
@@ -34,13 +33,6 @@ std::array<exact::VertexRef, 6> BothTurningPairs::corners_of(const TrianglePair&
 
 exact::BothTurningPoints BothTurningPairs::points_of(const TrianglePair& triangles) {
     return {frame_.rounded(corners_of(triangles)), std::max(frame_.delta(0), frame_.delta(1)), turns_};
-}
-
-std::optional<exact::TimeSpan> BothTurningPairs::bound(const TrianglePair& triangles, double from, double to,
-                                                       exact::Effort effort) {
-    if (const auto* whole = known_.find_whole(triangles)) return KnownMeetings::span_of(*whole, from, to);
-    ++counts_->enclosures;
-    return exact::bound_first_meeting(points_of(triangles), from, to, effort);
 }
 
 template <class Function>

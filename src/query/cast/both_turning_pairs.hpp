@@ -14,19 +14,19 @@
 
 namespace ecods {
 
-class BothTurningPairs {
+class BothTurningPairs : public EnclosedPairs<BothTurningPairs> {
   public:
     // Binds two meshes that turn. All objects that the arguments refer to must outlive this object.
     void bind(const Turning<MeshShape>& a, const Turning<MeshShape>& b, CastCounts& counts);
 
-    // The next two functions have the contracts of the functions with the same names in MovingPairs.
-    std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
+    // Does what MovingPairs::decide() does.
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 
   protected:
     const exact::TurnAngles& angles(std::size_t side) const noexcept { return angles_[side]; }
 
   private:
+    friend class EnclosedPairs<BothTurningPairs>;
     friend class MeetingDecision<BothTurningPairs>;
     const Turning<MeshShape>& body(std::size_t side) const noexcept { return side == 0 ? *a_ : *b_; }
     const Mesh& mesh(std::size_t side) const noexcept { return body(side).what->mesh(); }
@@ -37,12 +37,10 @@ class BothTurningPairs {
 
     const Turning<MeshShape>* a_ = nullptr;
     const Turning<MeshShape>* b_ = nullptr;
-    CastCounts* counts_ = nullptr;
     exact::Frame frame_;
     std::array<exact::TurnAngles, 2> angles_;
     std::array<exact::TurnOfPoints, 2> turns_{};  // relative to the translation of a's pose at the start
     std::optional<std::array<exact::TurnIntegers, 2>> integers_;  // made when a pair is first decided exactly
-    KnownMeetings known_;
 };
 
 }  // namespace ecods

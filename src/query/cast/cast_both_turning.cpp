@@ -60,16 +60,36 @@ std::optional<FirstContact> search_pieces(const Turning<MeshShape>& a, const Tur
     if (move_as_one(a.turn, b.turn)) return contact_as_one(start_a, start_b, memory, witness);
     return Search(start_a, start_b, latest, memory, witness, working).run();
 }
+std::optional<FirstContact> search_pieces(const Turning<MeshShape>& a, const Moving<MeshShape>& b, double latest,
+                                          QueryMemory& memory, PairWitness& witness) {
+    using Search = PieceSearch<TurnAndStraightQuestion>;
+    Search::Working& working = OneTimeMemory::of(memory).turn_and_straight;
+    working.question.motion().bind(a, b, QueryMemoryAccess::state(memory).counts.casts);
+    const Posed<MeshShape> start_a(*a.what, a.pose), start_b(*b.what, b.from);
+    return Search(start_a, start_b, latest, memory, witness, working).run();
+}
+
+// Returns the result of search_pieces() for both bodies, in other units if these are better.
+template <class Other>
+std::optional<FirstContact> cast_in_units(const Turning<MeshShape>& a, const Other& b, double latest,
+                                          QueryMemory& memory, PairWitness& witness) {
+    ++QueryMemoryAccess::state(memory).counts.queries;
+    const OtherUnits units(a, b);
+    if (!units.are_better()) return search_pieces(a, b, latest, memory, witness);
+    const Turning<MeshShape> scaled_a = units.of(a);
+    const Other scaled_b = units.of(b);
+    return as_part(memory, [&] { return search_pieces(scaled_a, scaled_b, latest, memory, witness); });
+}
 
 }  // namespace
 
 std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Turning<MeshShape>& b, double latest,
                                        QueryMemory& memory, PairWitness& witness) {
-    ++QueryMemoryAccess::state(memory).counts.queries;
-    const OtherUnits units(a, b);
-    if (!units.are_better()) return search_pieces(a, b, latest, memory, witness);
-    const Turning<MeshShape> scaled_a = units.of(a), scaled_b = units.of(b);
-    return as_part(memory, [&] { return search_pieces(scaled_a, scaled_b, latest, memory, witness); });
+    return cast_in_units(a, b, latest, memory, witness);
+}
+std::optional<FirstContact> cast_until(const Turning<MeshShape>& a, const Moving<MeshShape>& b, double latest,
+                                       QueryMemory& memory, PairWitness& witness) {
+    return cast_in_units(a, b, latest, memory, witness);
 }
 
 }  // namespace ecods

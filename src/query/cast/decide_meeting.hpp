@@ -150,4 +150,27 @@ class MeetingDecision {
     const TrianglePair& triangles_;
 };
 
+// EnclosedPairs bounds the first meetings of pairs of triangles by doubles alone. Pairs derives from this class, and
+// has points_of(triangles), the rounded motion of their corners.
+template <class Pairs>
+class EnclosedPairs {
+  public:
+    // Does what MovingPairs::bound() does.
+    std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort) {
+        if (const auto* whole = known_.find_whole(triangles)) return KnownMeetings::span_of(*whole, from, to);
+        ++counts_->enclosures;
+        return exact::bound_first_meeting(static_cast<Pairs&>(*this).points_of(triangles), from, to, effort);
+    }
+
+  protected:
+    // Forgets all meetings, and counts work in `counts` from now on.
+    void bind_counts(CastCounts& counts) {
+        counts_ = &counts;
+        known_.clear();
+    }
+
+    CastCounts* counts_ = nullptr;
+    KnownMeetings known_;
+};
+
 }  // namespace ecods

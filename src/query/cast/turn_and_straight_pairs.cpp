@@ -12,7 +12,7 @@ namespace ecods {
 void TurnAndStraightPairs::bind(const Turning<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts) {
     a_ = &a;
     b_ = &b;
-    counts_ = &counts;
+    bind_counts(counts);
     const exact::MeshExtent &extent_a = MeshShapeAccess::tree(*a.what).extent,
                             &extent_b = MeshShapeAccess::tree(*b.what).extent;
     const std::array<exact::BodyRef, 3> bodies{{{&a.what->mesh(), &extent_a, &a.pose},
@@ -22,7 +22,6 @@ void TurnAndStraightPairs::bind(const Turning<MeshShape>& a, const Moving<MeshSh
     rounded_ = round_leg(leg_of(a.pose, a.turn), extent_a, b.from);
     angles_ = exact::TurnAngles(a.turn.q.w, vector_of(a.turn.q));
     integers_.reset();
-    known_.clear();
 }
 
 exact::TurnAndStraightPoints TurnAndStraightPairs::points_of(const TrianglePair& triangles) {
@@ -34,13 +33,6 @@ exact::TurnAndStraightPoints TurnAndStraightPairs::points_of(const TrianglePair&
                                         frame_.delta(2)};
     for (std::size_t i = 0; i < 3; ++i) points.end[i] = frame_.rounded(2, of_b[i]);
     return points;
-}
-
-std::optional<exact::TimeSpan> TurnAndStraightPairs::bound(const TrianglePair& triangles, double from, double to,
-                                                           exact::Effort effort) {
-    if (const auto* whole = known_.find_whole(triangles)) return KnownMeetings::span_of(*whole, from, to);
-    ++counts_->enclosures;
-    return exact::bound_first_meeting(points_of(triangles), from, to, effort);
 }
 
 template <class Function>

@@ -13,13 +13,12 @@
 
 namespace ecods {
 
-class TurnAndStraightPairs {
+class TurnAndStraightPairs : public EnclosedPairs<TurnAndStraightPairs> {
   public:
     // Binds mesh a, which turns, and mesh b, whose points move straight. All arguments must outlive this object.
     void bind(const Turning<MeshShape>& a, const Moving<MeshShape>& b, CastCounts& counts);
 
-    // The next two functions have the contracts of the functions with the same names in MovingPairs.
-    std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
+    // Does what MovingPairs::decide() does.
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 
   protected:
@@ -27,6 +26,7 @@ class TurnAndStraightPairs {
     const RoundedLeg& rounded() const noexcept { return rounded_; }
 
   private:
+    friend class EnclosedPairs<TurnAndStraightPairs>;
     friend class MeetingDecision<TurnAndStraightPairs>;
     const Mesh& mesh(std::size_t side) const noexcept { return *frame_.body(side).mesh; }
     exact::TurnAndStraightPoints points_of(const TrianglePair& triangles);
@@ -35,12 +35,10 @@ class TurnAndStraightPairs {
 
     const Turning<MeshShape>* a_ = nullptr;
     const Moving<MeshShape>* b_ = nullptr;
-    CastCounts* counts_ = nullptr;
     exact::Frame frame_;  // bodies: a and b at the start, b at the end
     exact::TurnAngles angles_;
     RoundedLeg rounded_;
     std::optional<exact::TurnIntegers> integers_;  // made when a pair is first decided exactly
-    KnownMeetings known_;
 };
 
 }  // namespace ecods

@@ -12,7 +12,7 @@ void TurningPairs::bind(const MeshShape& a, const TurnLeg& leg, const Posed<Mesh
     a_ = &a;
     leg_ = &leg;
     b_ = &b;
-    counts_ = &counts;
+    bind_counts(counts);
     const exact::MeshExtent &extent_a = MeshShapeAccess::tree(a).extent,
                             &extent_b = MeshShapeAccess::tree(*b.what).extent;
     rounded_ = round_leg(leg, extent_a, b.pose);
@@ -21,7 +21,6 @@ void TurningPairs::bind(const MeshShape& a, const TurnLeg& leg, const Posed<Mesh
     frame_.bind(bodies);
     angles_ = exact::TurnAngles(rounded_.q.w, {rounded_.q.x, rounded_.q.y, rounded_.q.z});
     integers_.reset();
-    known_.clear();
 }
 
 std::array<exact::VertexRef, 6> TurningPairs::corners_of(const TrianglePair& triangles) const {
@@ -32,13 +31,6 @@ exact::TurningPoints TurningPairs::points_of(const TrianglePair& triangles) {
     return {frame_.rounded(corners_of(triangles)),
             std::max(frame_.delta(0) + rounded_.off, frame_.delta(1)) * (1 + 2 * two_u),
             rounded_.turn_of_points(angles_)};
-}
-
-std::optional<exact::TimeSpan> TurningPairs::bound(const TrianglePair& triangles, double from, double to,
-                                                   exact::Effort effort) {
-    if (const auto* whole = known_.find_whole(triangles)) return KnownMeetings::span_of(*whole, from, to);
-    ++counts_->enclosures;
-    return exact::bound_first_meeting(points_of(triangles), from, to, effort);
 }
 
 template <class Function>

@@ -13,13 +13,12 @@
 
 namespace ecods {
 
-class TurningPairs {
+class TurningPairs : public EnclosedPairs<TurningPairs> {
   public:
     // Binds mesh a, which turns, and mesh b. All arguments must outlive this object.
     void bind(const MeshShape& a, const TurnLeg& leg, const Posed<MeshShape>& b, CastCounts& counts);
 
-    // The next two functions have the contracts of the functions with the same names in MovingPairs.
-    std::optional<exact::TimeSpan> bound(const TrianglePair& triangles, double from, double to, exact::Effort effort);
+    // Does what MovingPairs::decide() does.
     std::optional<exact::Meeting> decide(const TrianglePair& triangles, exact::TimeSpan time, double to);
 
   protected:
@@ -27,6 +26,7 @@ class TurningPairs {
     const RoundedLeg& rounded() const noexcept { return rounded_; }
 
   private:
+    friend class EnclosedPairs<TurningPairs>;
     friend class MeetingDecision<TurningPairs>;
     const Mesh& mesh(std::size_t side) const noexcept { return side == 0 ? a_->mesh() : b_->what->mesh(); }
     std::array<exact::VertexRef, 6> corners_of(const TrianglePair& triangles) const;
@@ -37,12 +37,10 @@ class TurningPairs {
     const MeshShape* a_ = nullptr;
     const TurnLeg* leg_ = nullptr;
     const Posed<MeshShape>* b_ = nullptr;
-    CastCounts* counts_ = nullptr;
     exact::Frame frame_;
     exact::TurnAngles angles_;
     RoundedLeg rounded_;
     std::optional<exact::TurnIntegers> integers_;  // made when a pair is first decided exactly
-    KnownMeetings known_;
 };
 
 }  // namespace ecods
