@@ -16,6 +16,11 @@ inline bool same_point(const Vec3& a, const Vec3& b) noexcept {
            coordinate_bits(a[2]) == coordinate_bits(b[2]);
 }
 
+// Returns true if a and b are the same matrix; -0 and 0 are the same entry.
+inline bool same_matrix(const Mat3& a, const Mat3& b) noexcept {
+    return same_point(a.col(0), b.col(0)) && same_point(a.col(1), b.col(1)) && same_point(a.col(2), b.col(2));
+}
+
 // Returns true if all entries of a and b have the same bits.
 inline bool same_bits(const Mat3& a, const Mat3& b) noexcept {
     using Two = Vec<std::uint64_t, 2>;

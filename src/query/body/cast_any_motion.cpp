@@ -56,8 +56,7 @@ bool is_turn(const std::vector<WayNode>& nodes) {
 }
 
 bool is_same_place(const Pose& a, const Pose& b) {
-    return same_point(a.t, b.t) && same_point(a.R.col(0), b.R.col(0)) && same_point(a.R.col(1), b.R.col(1)) &&
-           same_point(a.R.col(2), b.R.col(2));
+    return same_point(a.t, b.t) && same_matrix(a.R, b.R);
 }
 
 }  // namespace

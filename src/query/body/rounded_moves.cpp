@@ -25,10 +25,6 @@ using exact::exact_vector;
 using exact::ScaledLongVector;
 using MaybeVector = std::optional<ScaledLongVector>;
 
-bool is_same_matrix(const Mat3& a, const Mat3& b) {
-    return same_point(a.col(0), b.col(0)) && same_point(a.col(1), b.col(1)) && same_point(a.col(2), b.col(2));
-}
-
 // Returns the position at which all corners of the core's triangles are; null if they are at several positions.
 const Vec3* only_vertex(const MeshShape& core) {
     const Mesh& mesh = core.mesh();
@@ -80,7 +76,7 @@ std::optional<FirstContact> RoundedPair::cast_straight(const Pose& end_a, const 
 }
 
 std::optional<ScaledLongVector> translation_of(const Posed<MeshShape>& core, const Pose& end) {
-    if (is_same_matrix(core.pose.R, end.R)) return exact::minus(exact_vector(end.t), exact_vector(core.pose.t));
+    if (same_matrix(core.pose.R, end.R)) return exact::minus(exact_vector(end.t), exact_vector(core.pose.t));
     const Vec3* const v = only_vertex(*core.what);
     if (v == nullptr) return std::nullopt;
     return exact::minus(exact::posed_point(end, *v), exact::posed_point(core.pose, *v));

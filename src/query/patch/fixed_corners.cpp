@@ -208,9 +208,7 @@ std::optional<IntegerVector> FixedCorners::way() const noexcept {
 std::optional<double> FixedCorners::distance() const noexcept {
     using exact::fixed_number;
     const FixedNumber gap = shift_->length() - (fixed_number(radii_.a, unit_) + fixed_number(radii_.b, unit_));
-    const std::optional<double> rounded = gap.rounded(unit_);
-    const bool is_lost = rounded && key_of(*rounded) == 0 && gap.value != 0;
-    return is_lost ? std::nullopt : rounded;
+    return gap.rounded_distance(unit_);
 }
 
 }  // namespace ecods::patches

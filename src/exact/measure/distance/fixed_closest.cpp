@@ -85,9 +85,7 @@ FixedClosest::Gap FixedClosest::gap() const noexcept {
 
 std::optional<double> FixedClosest::signed_distance() const noexcept {
     const auto [number, unit] = gap();
-    const std::optional<double> rounded = number.rounded(unit);
-    const bool is_lost = rounded && key_of(*rounded) == 0 && number.value != 0;
-    return is_lost ? std::nullopt : rounded;
+    return number.rounded_distance(unit);
 }
 
 std::optional<DistanceBounds> FixedClosest::distance_bounds() const noexcept {

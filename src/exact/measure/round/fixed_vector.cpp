@@ -9,6 +9,7 @@
 // 2^32 units; and by one unit for cutting. The product with r = m 2^k is off by m times as much, before it is cut.
 // Claim: verify/proofs/fixed_digits.py
 #include "exact/measure/round/fixed_vector.hpp"
+#include "base/double_key.hpp"
 
 #include <algorithm>
 
@@ -48,6 +49,12 @@ std::optional<double> FixedNumber::rounded(int unit) const noexcept {
     const std::optional<double> of_size = FixedDigits{size << up, unit - up, error << up}.rounded();
     if (!of_size) return std::nullopt;
     return with_sign(std::bit_cast<std::uint64_t>(*of_size), value < 0);
+}
+
+std::optional<double> FixedNumber::rounded_distance(int unit) const noexcept {
+    const std::optional<double> result = rounded(unit);
+    const bool is_lost = result && key_of(*result) == 0 && value != 0;
+    return is_lost ? std::nullopt : result;
 }
 
 FixedNumber fixed_number(double x, int unit) noexcept {

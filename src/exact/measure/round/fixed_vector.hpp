@@ -29,6 +29,8 @@ struct FixedNumber {
     // Returns the double nearest to all numbers of the interval, in units of 2^unit; a zero is +0. Returns nullopt if
     // the numbers do not all round to one double, or only some of them are zero.
     std::optional<double> rounded(int unit) const noexcept;
+    // Returns rounded(unit), but nullopt if a number that is not 0 is rounded to 0.
+    std::optional<double> rounded_distance(int unit) const noexcept;
 };
 
 // Returns x in units of 2^unit, rounded down. |x| must be below 2^(unit + 126).
