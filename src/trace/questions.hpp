@@ -56,17 +56,6 @@ struct AllHitsOfRay : OfLine<Ray> {
     auto ask(auto& world) const { return world.all_hits(line, filter); }
 };
 
-// Holds the fields of questions with an upper limit of distances.
-struct UpTo {
-    std::uint64_t answer;
-    double limit;
-
-    static void fields(auto&& each, auto&... call) {
-        each.answer(call.answer...);
-        each.number(call.limit...);
-    }
-};
-
 template <class Names>
 struct SidedHits : OfLine<Segment> {
     static constexpr std::string_view name = "sided_hits";
@@ -89,6 +78,17 @@ template <class Names>
 struct InsidePartsOfRay : OfLine<Ray> {
     static constexpr std::string_view name = "inside_parts_of_ray";
     auto ask(auto& world) const { return world.inside_parts(line, filter); }
+};
+
+// Holds the fields of questions with an upper limit of distances.
+struct UpTo {
+    std::uint64_t answer;
+    double limit;
+
+    static void fields(auto&& each, auto&... call) {
+        each.answer(call.answer...);
+        each.number(call.limit...);
+    }
 };
 
 // Holds the fields of questions about a body that moves: AnyMotion is a vector, of a translation, or a Motion.

@@ -76,42 +76,45 @@ std::vector<BodyInsidePart> find_parts(const Impl& world, const SegmentOrRay& li
     return parts;
 }
 
+// Answers a question about a line and all bodies, and writes it to the trace. find(memory) returns the answer.
+template <template <class> class Row, class Impl, class SegmentOrRay, class Find>
+auto ask_line(const Impl& world, const char* question, const SegmentOrRay& line,
+              const std::optional<CollisionFilter>& filter, const Ask& ask, const Find& find) {
+    validate(line);
+    require_meshes(world, question);
+    return world.template traced<Row>(ask, find(Asking(ask).memory()), line, filter);
+}
+
 }  // namespace
 
 std::vector<BodySidedHit> World::sided_hits(const Segment& segment, std::optional<CollisionFilter> filter,
                                             const Ask& ask) const {
     const Impl& w = impl();
-    validate(segment);
-    require_meshes(w, "sided_hits");
-    auto found = find_sided(*this, w.bodies, segment, filter, Asking(ask).memory());
-    return w.traced<calls::SidedHits>(ask, std::move(found), segment, filter);
+    return ask_line<calls::SidedHits>(w, "sided_hits", segment, filter, ask, [&](QueryMemory& memory) {
+        return find_sided(*this, w.bodies, segment, filter, memory);
+    });
 }
 
 std::vector<BodySidedHit> World::sided_hits(const Ray& ray, std::optional<CollisionFilter> filter,
                                             const Ask& ask) const {
     const Impl& w = impl();
-    validate(ray);
-    require_meshes(w, "sided_hits");
-    auto found = find_sided(*this, w.bodies, ray, filter, Asking(ask).memory());
-    return w.traced<calls::SidedHitsOfRay>(ask, std::move(found), ray, filter);
+    return ask_line<calls::SidedHitsOfRay>(w, "sided_hits", ray, filter, ask, [&](QueryMemory& memory) {
+        return find_sided(*this, w.bodies, ray, filter, memory);
+    });
 }
 
 std::vector<BodyInsidePart> World::inside_parts(const Segment& segment, std::optional<CollisionFilter> filter,
                                                 const Ask& ask) const {
     const Impl& w = impl();
-    validate(segment);
-    require_meshes(w, "inside_parts");
-    auto found = find_parts(w, segment, filter, Asking(ask).memory());
-    return w.traced<calls::InsideParts>(ask, std::move(found), segment, filter);
+    return ask_line<calls::InsideParts>(w, "inside_parts", segment, filter, ask,
+                                        [&](QueryMemory& memory) { return find_parts(w, segment, filter, memory); });
 }
 
 std::vector<BodyInsidePart> World::inside_parts(const Ray& ray, std::optional<CollisionFilter> filter,
                                                 const Ask& ask) const {
     const Impl& w = impl();
-    validate(ray);
-    require_meshes(w, "inside_parts");
-    auto found = find_parts(w, ray, filter, Asking(ask).memory());
-    return w.traced<calls::InsidePartsOfRay>(ask, std::move(found), ray, filter);
+    return ask_line<calls::InsidePartsOfRay>(w, "inside_parts", ray, filter, ask,
+                                             [&](QueryMemory& memory) { return find_parts(w, ray, filter, memory); });
 }
 
 }  // namespace ecods
