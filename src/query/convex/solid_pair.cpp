@@ -21,9 +21,15 @@ using exact::largest;
 using exact::minus;
 using exact::sum_of_magnitudes;
 
+// Returns true if is_beyond() may prove anything about the hulls. A vertex found in a hull that is not scanned may not
+// be the nearest one.
+bool are_scanned(const PosedHulls& hulls) noexcept {
+    return hulls.exponent() == 0 && hulls.is_scanned(0) && hulls.is_scanned(1);
+}
+
 // Returns true if the direction n, taken as a separating axis, proves that the solids are further apart than the limit.
-// `gap` must be the difference of the nearest pair of vertices along n. Returns false if a hull is not scanned, since
-// the pair then may not be the nearest, and if n is not a number or almost zero. n must be below 2^400.
+// `gap` must be the difference of the nearest pair of vertices along n. Returns false unless are_scanned(), and if n is
+// not a number or almost zero. n must be below 2^400.
 //
 // Derivation. Let u' = two_u and D = delta(), which is at least 4.25 u' sum (find_bounds), where
 // `sum` bounds the magnitudes added up for any coordinate of a point, and |n|_1 the sum of the magnitudes of n. A
@@ -36,8 +42,7 @@ using exact::sum_of_magnitudes;
 // |n| leaves.
 // Claim: verify/proofs/lines_and_times.py
 bool is_beyond(const PosedHulls& hulls, const Point& n, const Point& gap, double limit) noexcept {
-    if (hulls.exponent() != 0 || !hulls.is_scanned(0) || !hulls.is_scanned(1) || !(largest(n) >= 0x1p-400))
-        return false;
+    if (!are_scanned(hulls) || !(largest(n) >= 0x1p-400)) return false;
     const double magnitudes = sum_of_magnitudes({n[0] * gap[0], n[1] * gap[1], n[2] * gap[2]});
     const double least = ((dot(n, gap) - 8 * two_u * magnitudes) - 9 * hulls.delta() * sum_of_magnitudes(n)) - 0x1p-900;
     return least > limit * (std::sqrt(dot(n, n)) * (1 + 8 * two_u));
@@ -50,6 +55,7 @@ bool is_beyond(const PosedHulls& hulls, const Simplex& start, double limit) noex
 }
 
 bool is_beyond_along(const PosedHulls& hulls, const Vec3& axis, double limit) noexcept {
+    if (!are_scanned(hulls)) return false;
     const Point n{axis[0], axis[1], axis[2]};
     if (is_zero(axis)) return is_beyond(hulls, between_centers(hulls), limit);
     const Point p = hulls.rounded(0, hulls.support(0, n)), q = hulls.rounded(1, hulls.support(1, exact::negated(n)));
