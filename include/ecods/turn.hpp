@@ -16,7 +16,7 @@
 // body also glides, by m in all.
 //
 // The quaternion is never normalised, so its components may be rounded. Components that are multiples of 2^-30 make the
-// exact decisions faster, and turn by an angle that is about 1e-9 off. A factor on q changes the speed, not the way.
+// exact decisions faster, and turn by an angle that is about 2^-30 off. A factor on q changes the speed, not the way.
 //
 // Angle and time. At time s the body has turned by 2 atan2(s |v|, 1 + s (w - 1)); in all by 2 atan2(|v|, w), which is
 // below a whole turn: half a turn has w = 0, more has w < 0, and -q is the other way round. The angle increases with
@@ -24,7 +24,7 @@
 // half a turn. angle_at() and time_at() convert.
 //
 // A turn ends at the rotation q R of the start's matrix R, which is rarely a matrix of doubles. The end is therefore
-// about 1e-16 of the body's size away from any pose in doubles; end_gap() bounds that distance. Before a body moves on
+// about 2^-53 of the body's size away from any pose in doubles; end_gap() bounds that distance. Before a body moves on
 // from such a pose, settle() says whether the gap between is free. A Way of several turns has no gaps.
 //
 // The first time at which a turning body, or one that moves from pose to pose, is within a distance of another one has
@@ -121,7 +121,7 @@ namespace ecods {
                                                            const Posed<MeshShape>& b, const Ask& ask = {});
 
 // Returns an upper bound, over all vertices of the shape, of the distance of a vertex's place at the end of the turn
-// that starts at `from` from its place at the pose `to`. The bound is usually some 1e-16 of the shape's size if the
+// that starts at `from` from its place at the pose `to`. The bound is usually some 2^-53 of the shape's size if the
 // turn is between(from, to, ...). Throws InvalidArgument. Cost: a pass over the vertices.
 [[nodiscard]] ECODS_API double end_gap(const MeshShape& shape, const Pose& from, const Turn& turn, const Pose& to);
 
